@@ -287,14 +287,14 @@ PaperQuery Checker::query_of(const Element& element) const {
         return side == Side::left ? question(site.left_plate, site.left_page, site.left)
                                   : question(site.right_plate, site.right_page, site.right);
     };
-    return {[this, ask](Side side, const Ring& ring, Fit fit) {
+    return {[this, ask, &site = element.site](Side side, const Ring& ring, Fit fit) {
                 return ask(side, [&](int plate, int page, const DirectedLine& line) {
-                    return paper.may_cut(plate, page, line, ring, fit);
+                    return paper.may_cut(plate, page, line, site.seam, ring, fit);
                 });
             },
-            [this, ask](Side side, const Ring& ring, const Segment& edge, Fit fit) {
+            [this, ask, &site = element.site](Side side, const Ring& ring, const Segment& edge, Fit fit) {
                 return ask(side, [&](int plate, int page, const DirectedLine& line) {
-                    return paper.may_cut(plate, page, line, ring, fit, &edge);
+                    return paper.may_cut(plate, page, line, site.seam, ring, fit, &edge);
                 });
             },
             [this, ask](Side side, const Segment& at) {
@@ -311,6 +311,10 @@ PaperQuery Checker::query_of(const Element& element) const {
                 return ask(side, [&](int plate, int page, const DirectedLine&) {
                     return paper.paper_near(plate, page, inset, near);
                 });
+            },
+            [this, ask](Side side, const Ring& ring) {
+                return ask(side,
+                           [&](int, int page, const DirectedLine&) { return paper.seam_near(page, ring); });
             },
             [this, &site = element.site](const Ring& ring) {
                 return pierce({*skeleton, plates, index, paper, options.tolerances}, site.left_page, ring);

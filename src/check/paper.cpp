@@ -122,7 +122,8 @@ void PaperMap::update(const Skeleton& skeleton, int owner) {
     }
     for (; feet_seen_ < skeleton.feet.size(); ++feet_seen_) {
         const Foot& foot = skeleton.feet[feet_seen_];
-        add(skeleton.plate_page[static_cast<std::size_t>(foot.plate)], {&foot.inside, 1}, foot.plate, true);
+        add(skeleton.plate_page[static_cast<std::size_t>(foot.plate)], std::array{foot.seam, foot.inside},
+            foot.plate, true);
     }
     for (; holes_seen_ < skeleton.holes.size(); ++holes_seen_) {
         const Hole& hole = skeleton.holes[holes_seen_];
@@ -153,8 +154,8 @@ void PaperMap::update(const Skeleton& skeleton, int owner) {
     }
 }
 
-bool PaperMap::may_cut(int plate, int page_number, const DirectedLine& line, const Ring& footprint, Fit fit,
-                       const Segment* open) const {
+bool PaperMap::may_cut(int plate, int page_number, const DirectedLine& line, bool is_seam,
+                       const Ring& footprint, Fit fit, const Segment* open) const {
     const PageEdges& page_edges = pages_[static_cast<std::size_t>(page_number)];
     const Polygon& outline = outlines_[static_cast<std::size_t>(plate)];
     if (!std::all_of(footprint.begin(), footprint.end(), [&](Vec2 p) { return inside(outline, p, kOnLine); }))
@@ -166,7 +167,8 @@ bool PaperMap::may_cut(int plate, int page_number, const DirectedLine& line, con
     return std::none_of(found.begin(), found.end(), [&](int number) {
         const Obstacle& obstacle = page_edges.obstacles[static_cast<std::size_t>(number)];
         const Segment& edge = page_edges.edges[static_cast<std::size_t>(number)];
-        if (obstacle.plate != plate || along_line(line, edge)) return false;
+        if (obstacle.plate != plate) return false;
+        if ((is_seam || !obstacle.seam) && along_line(line, edge)) return false;
         if (open != nullptr && along_line({open->a, unit(open->b - open->a)}, edge)) return false;
         return region_distance(footprint, edge) < (obstacle.seam ? off_seams : around);
     });
@@ -255,13 +257,33 @@ bool PaperMap::may_glue(int plate, int page_number, const DirectedLine* line, co
         return proper_crossing(core, edge).has_value();
     });
     if (crosses) return false;
+    // Between where something is cut out beside it, each stretch has paper on one side at least: it may run
+    // along an edge, and past what is cut out of that.
+    const double near = tolerances_.rounding_mm;
     found.clear();
-    const Vec2 middle = 0.5 * (seam.a + seam.b);
-    page_edges.cut_boxes.query({middle, middle}, found);
-    return std::none_of(found.begin(), found.end(), [&](int number) {
-        const auto& [owner, ring] = page_edges.cuts[static_cast<std::size_t>(number)];
-        return owner == plate && contains({ring, {}}, middle);
-    });
+    page_edges.cut_boxes.query(box_around(std::array{seam.a, seam.b}, near), found);
+    std::erase_if(
+        found, [&](int number) { return page_edges.cuts[static_cast<std::size_t>(number)].first != plate; });
+    std::vector<double> ends{0.0, 1.0};
+    for (const int number : found) {
+        for (const Vec2 corner : page_edges.cuts[static_cast<std::size_t>(number)].second) {
+            if (size > 0.0 && distance(corner, seam) <= near)
+                ends.push_back(std::clamp(dot(corner - seam.a, seam.b - seam.a) / (size * size), 0.0, 1.0));
+        }
+    }
+    std::sort(ends.begin(), ends.end());
+    const Vec2 step = size > 0.0 ? slack * left_of(unit(seam.b - seam.a)) : Vec2{};
+    const auto has_paper = [&](Vec2 at) {
+        return inside(outline, at, kOnLine) && std::none_of(found.begin(), found.end(), [&](int number) {
+                   return contains({page_edges.cuts[static_cast<std::size_t>(number)].second, {}}, at);
+               });
+    };
+    for (std::size_t i = 1; i < ends.size(); ++i) {
+        if ((ends[i] - ends[i - 1]) * size <= 2.0 * near && ends.size() > 2) continue;
+        const Vec2 middle = seam.a + 0.5 * (ends[i - 1] + ends[i]) * (seam.b - seam.a);
+        if (!has_paper(middle + step) && !has_paper(middle - step)) return false;
+    }
+    return true;
 }
 
 }  // namespace popup

@@ -23,10 +23,11 @@ class PaperMap {
     // call; `owner` is the number of the structure that made them, or -1 for the page.
     void update(const Skeleton& skeleton, int owner);
 
-    // See PaperQuery. `line` is the parent fold on that side's page; edges along it are no obstacle.
-    // Nor are edges along `open`, if it is given.
-    [[nodiscard]] bool may_cut(int plate, int page, const DirectedLine& line, const Ring& footprint, Fit fit,
-                               const Segment* open = nullptr) const;
+    // See PaperQuery. `line` is the parent fold on that side's page; edges along it are no obstacle, nor are
+    // edges along `open`, if it is given. Seams along the line are none where the fold is a seam itself; else
+    // something else is glued there.
+    [[nodiscard]] bool may_cut(int plate, int page, const DirectedLine& line, bool is_seam,
+                               const Ring& footprint, Fit fit, const Segment* open = nullptr) const;
     [[nodiscard]] std::optional<Segment> edge_along(int plate, int page, const Segment& at) const;
     // See PaperQuery::paper. Canonical, as base/geometry/regions.h has it.
     [[nodiscard]] std::vector<Polygon> paper_near(int plate, int page, double inset, const Box& near) const;

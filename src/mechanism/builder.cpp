@@ -115,7 +115,7 @@ void Builder::add_foot(Glue glue) {
     skeleton_.draft.hinges.push_back({glue.piece_plate, glue.base_plate, glue.on_piece, glue.on_base, true});
     const Vec2 along = unit(glue.on_base.b - glue.on_base.a);
     const Vec2 in = kBesideFootMm * (glue.on_back ? left_of(along) : right_of(along));
-    skeleton_.feet.push_back({glue.base_plate, {glue.on_base.a + in, glue.on_base.b + in}});
+    skeleton_.feet.push_back({glue.base_plate, glue.on_base, {glue.on_base.a + in, glue.on_base.b + in}});
     add_glue(std::move(glue));
 }
 

@@ -55,10 +55,11 @@ struct FoldLine {
 // All that an element makes, in the order of its row's `folds`.
 using FoldLines = std::vector<FoldLine>;
 
-// A seam that nothing can stand on: that of a pillar. `inside` lies beside it, on the plate that it is glued
-// to.
+// A seam that nothing can stand on: that of a pillar, which may lie along a fold of the plate that it is
+// glued to. `inside` lies beside it on that plate.
 struct Foot {
     int plate = -1;
+    Segment seam;
     Segment inside;
 };
 

@@ -149,6 +149,11 @@ bool constrain(Element& e) {
                      "draw the window inside the plate, off its folds and edges and what is cut out of it");
             return false;
         }
+        if (e.paper->is_glued(Side::left, part.outer)) {
+            e.failed("does-not-fit", "its window would be cut through a seam or a glued area",
+                     "draw the window beside what is glued to the plate");
+            return false;
+        }
         paper = subtract(paper, {part});
     }
     if (!has_room(on_plate(e, B), hole_radius(e), paper)) {
@@ -156,6 +161,13 @@ bool constrain(Element& e) {
                  fmt::format("its rivet at {} is not on the plate with {} of paper round its hole of {}",
                              at_mm(on_plate(e, B)), mm(kAroundMm), mm(number_of(e, "rivet"))),
                  "move B onto the plate, off its folds and edges and off the window");
+        return false;
+    }
+    if (e.paper->is_glued(Side::left, circle(on_plate(e, B), hole_radius(e)).areas.front().outer)) {
+        e.failed("does-not-fit",
+                 fmt::format("its rivet's hole at {} would be cut through a seam or a glued area",
+                             at_mm(on_plate(e, B))),
+                 "move B beside what is glued to the plate");
         return false;
     }
     return true;

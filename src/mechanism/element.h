@@ -45,6 +45,8 @@ struct PaperQuery {
     // The plate's paper (page coordinates) at least `inset` mm away from its folds and edges, cut-outs
     // regarded. Outside of `near` there may be more of it: only what is cut out near there is looked at.
     std::function<std::vector<Polygon>(Side, double inset, const Box& near)> paper;
+    // Whether a seam or a glued area lies within the ring or on it (page coordinates).
+    std::function<bool(Side, const Ring&)> is_glued;
     // What a hole through the whole sheet takes, on the page of the left side.
     std::function<Pierced(const Ring&)> pierce;
 };

@@ -7,6 +7,7 @@
 #include <random>
 #include <set>
 
+#include "base/nth.h"
 #include "pattern/tabs.h"
 #include "support/designs.h"
 #include "support/prints.h"
@@ -319,6 +320,44 @@ TEST(Pattern, GeneratedDesignsOfAllElementsUnfoldSoundly) {
         }
         if (HasFailure()) FAIL() << "seed " << seed;
     }
+}
+
+// Even-odd, of points that are off the edges.
+bool is_on_paper(const Polygon& plate, Vec2 at) {
+    bool in = false;
+    const auto count = [&](const Ring& ring) {
+        for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
+            const Vec2 a = ring[i];
+            const Vec2 b = ring[j];
+            if ((a.y > at.y) != (b.y > at.y) && at.x < a.x + (at.y - a.y) / (b.y - a.y) * (b.x - a.x))
+                in = !in;
+        }
+    };
+    count(plate.outer);
+    for (const Ring& hole : plate.holes) count(hole);
+    return in;
+}
+
+TEST(Pattern, SeamsLieOnThePaperThatTheyAreGluedTo) {
+    constexpr double kBeside = 0.02;  // either side will do: seams may lie along folds
+    int seams = 0;
+    for (std::uint64_t seed = 1; seed <= 150; ++seed) {
+        const auto built =
+            test::build(seed % 3 == 0 ? test::generate(seed, 16) : test::generate_any(seed, 20));
+        ASSERT_TRUE(built.assembly.has_value());
+        for (const Glue& glue : built.assembly->glue) {
+            ++seams;
+            const Segment& seam = glue.on_base;
+            const Vec2 aside = kBeside * left_of(unit(seam.b - seam.a));
+            const Polygon& plate = nth(built.assembly->plates, glue.base_plate).outline;
+            for (int i = 1; i < 20; ++i) {
+                const Vec2 at = seam.a + (i / 20.0) * (seam.b - seam.a);
+                EXPECT_TRUE(is_on_paper(plate, at + aside) || is_on_paper(plate, at - aside))
+                    << "seed " << seed << ", tab " << glue.label << " of " << glue.element;
+            }
+        }
+    }
+    EXPECT_GT(seams, 1000);
 }
 
 TEST(Pattern, ATabWithTooLittleLeftIsAWarningThatNamesIt) {
