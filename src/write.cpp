@@ -310,6 +310,7 @@ std::vector<SceneCard> scene_of(const Compilation& run) {
         if (one.motion) card.motion = &*one.motion;
         if (one.creases) card.creases = &*one.creases;
         if (one.pattern) card.pattern = &*one.pattern;
+        card.input = one.source.name;
     }
     return cards;
 }

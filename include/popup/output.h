@@ -91,6 +91,7 @@ struct SceneCard {
     std::string prefix;
     const CreasePattern* creases = nullptr;  // what it was folded from, for what its file says beside
     const Pattern* pattern = nullptr;        // its pieces as they are made, whatever the scale of the layout
+    std::string input = {};                  // the file that findings about it name; empty: the assembly's
 };
 
 // How wide the margin of sheets must be, in mm, so that marks and bar lie clear of pieces.

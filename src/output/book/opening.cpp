@@ -223,8 +223,10 @@ void add_opening(const SceneCard& card, std::size_t number, std::span<const Diag
             "Panels do not meet: a fold goes the wrong way, or not far enough. Compare each with the "
             "steps.");
     }
+    // An assembly that is read bears the name of the file that it was made from.
+    const std::string& input = card.input.empty() ? in.file : card.input;
     for (const Diagnostic& one : findings) {
-        const bool own = one.file == in.file || one.file.empty();
+        const bool own = one.file == input || one.file.empty();
         const bool is_for_hands = std::find(kForHands.begin(), kForHands.end(), one.code) != kForHands.end();
         if (!own || !is_for_hands || one.severity == Severity::error) continue;
         part.found.push_back(one.message);
