@@ -90,7 +90,7 @@ struct LayoutOptions {
     std::vector<StockRow> stock;                // if not empty, instead of `sheet`
     Vec2 bed;                                   // of the machine: no sheet may be larger; 0 × 0: any may
     Length margin = Length::millimetres(5.0);   // free edge of the sheet, ≥ 0
-    Length spacing = Length::millimetres(2.0);  // between pieces, ≥ 0
+    Length spacing = Length::millimetres(2.0);  // between pieces, ≥ 0; what is out of range is at its end
     Rotation rotation;
     Grain grain = Grain::none;   // if not none, instead of all rotations
     bool part_in_hole = true;    // whether pieces may lie in the holes of others
@@ -146,7 +146,7 @@ struct Layout {
 // as nest() promises. Errors name piece, size and usable sheet (`piece-too-large`), or what else stands in
 // the way: `sheet-too-small`, `sheet-too-large` for the bed, `too-many-pieces`, `unknown-piece`,
 // `lock-impossible`, `stock-used-up`, `group-too-large`. Where there is one piece in all, its name is taken
-// off it: there is no other that it tells it from.
+// off it: there is no other that it tells it from. Of no pieces there is a layout without sheets.
 std::optional<Layout> lay_out(std::vector<DesignPattern> designs, const LayoutOptions& options,
                               Diagnostics& diagnostics);
 

@@ -52,7 +52,9 @@ struct SheetRow {
 class Layouter {
  public:
     Layouter(std::vector<DesignPattern> designs, const LayoutOptions& options, Diagnostics& diagnostics)
-        : options_(options), diagnostics_(diagnostics) {
+        : options_(options),
+          diagnostics_(diagnostics),
+          spacing_mm_(std::fmin(std::fmax(options.spacing.mm, 0.0), kMostMm)) {
         layout_.designs = std::move(designs);
         layout_.margin_mm = options.margin.mm;
         layout_.prefix_names = layout_.designs.size() > 1;
@@ -60,7 +62,9 @@ class Layouter {
     }
 
     std::optional<Layout> run() {
-        if (!gather() || !choose_sheets() || !make_job()) return std::nullopt;
+        if (!gather()) return std::nullopt;
+        if (sources_.empty()) return std::move(layout_);
+        if (!choose_sheets() || !make_job()) return std::nullopt;
         const NestResult result = nest(job_, options_.nesting);
         if (options_.nesting.stop != nullptr && options_.nesting.stop->load()) {
             diagnostics_.remark("nest-stopped", {},
@@ -273,7 +277,7 @@ class Layouter {
         }
         for (std::size_t r = 0; r < rows_.size(); ++r)
             job_.stock.push_back({areas_[r].width, areas_[r].height, rows_[r].count});
-        job_.spacing = options_.spacing.mm;
+        job_.spacing = spacing_mm_;
         job_.use_holes = options_.part_in_hole;
         return apply_rules() && too_large.empty();
     }
@@ -320,7 +324,7 @@ class Layouter {
             for (std::size_t i = 0; i < sources_.size(); ++i) {
                 if (!is_meant(rule, sources_[i])) continue;
                 found = true;
-                if (rule.lock && rule.copy < options_.copies)
+                if (rule.lock && rule.copy >= 0 && rule.copy < options_.copies)
                     good =
                         lock(static_cast<std::size_t>(rule.copy) * sources_.size() + i, *rule.lock) && good;
             }
@@ -332,11 +336,12 @@ class Layouter {
                 diagnostics_.error("unknown-piece", {}, fmt::format("there is no piece \"{}\"", rule.piece))
                     .hint("the pieces are " + known);
                 good = false;
-            } else if (rule.lock && rule.copy >= options_.copies) {
+            } else if (rule.lock && (rule.copy < 0 || rule.copy >= options_.copies)) {
                 diagnostics_
                     .error("unknown-piece", {},
-                           fmt::format("there is no copy {} of piece \"{}\": {} {} made", rule.copy + 1,
-                                       rule.piece, options_.copies, options_.copies == 1 ? "is" : "are"))
+                           fmt::format("there is no copy {} of piece \"{}\": {} {} made",
+                                       std::int64_t{rule.copy} + 1, rule.piece, options_.copies,
+                                       options_.copies == 1 ? "is" : "are"))
                     .hint("ask for more --copies, or lock another");
                 good = false;
             }
@@ -450,7 +455,7 @@ class Layouter {
                     .error(
                         "lock-impossible", {},
                         fmt::format("locked where they are, {} would be closer than {:.2f} mm to each other",
-                                    names, options_.spacing.mm))
+                                    names, spacing_mm_))
                     .hint("lock one of them elsewhere, or leave it free");
                 return;
             case NestRefusal::Reason::lock_apart:
@@ -506,7 +511,7 @@ class Layouter {
                 last.push_back(placed(turned_outline(piece_of(source).silhouette, spot.angle), spot.offset));
         }
         const SheetArea& usable = nth(areas_, plan.sheets.back());
-        const Box free = largest_free(last, usable, options_.spacing.mm);
+        const Box free = largest_free(last, usable, spacing_mm_);
         layout_.leftover = free;
         if (!free.empty()) {
             layout_.leftover.min = free.min + Vec2{margin, margin};
@@ -532,6 +537,7 @@ class Layouter {
 
     const LayoutOptions& options_;
     Diagnostics& diagnostics_;
+    const double spacing_mm_;  // more parts no pieces
     Layout layout_;
     std::vector<PieceSource> sources_;
     std::vector<SheetRow> rows_;

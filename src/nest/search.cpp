@@ -350,7 +350,7 @@ class Nester {
         if (finished_) return 1.0;
         if (!effort_.seconds) return total_ > 0.0 ? (work_ - spent_before_) / total_ : 1.0;
         const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start_;
-        return passed.count() / *effort_.seconds;
+        return passed.count() / std::fmax(1e-9, *effort_.seconds);
     }
 
     [[nodiscard]] bool stopped() const { return effort_.stop != nullptr && effort_.stop->load(); }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 #include <random>
 #include <set>
 #include <tuple>
@@ -304,6 +305,39 @@ TEST(Layout, MarginsThatLeaveNothingAreAnError) {
         lay_out({design_of("d", {piece_of("p", rectangle(1, 1))})}, options, diagnostics).has_value());
     ASSERT_EQ(diagnostics.sorted().size(), 1U);
     EXPECT_EQ(diagnostics.sorted()[0].code, "sheet-too-small");
+}
+
+TEST(Layout, OfNoPiecesThereAreNoSheets) {
+    for (const std::vector<DesignPattern>& designs :
+         {std::vector<DesignPattern>{}, std::vector<DesignPattern>{design_of("d", {})}}) {
+        Diagnostics diagnostics;
+        const auto layout = lay_out(designs, {}, diagnostics);
+        ASSERT_TRUE(layout.has_value());
+        EXPECT_TRUE(layout->sheets.empty());
+        EXPECT_FALSE(diagnostics.has_findings());
+    }
+}
+
+TEST(Layout, MoreSpacingThanAnySheetHasRoomForPartsAll) {
+    const PatternPiece piece = piece_of("p", rectangle(1, 1));
+    for (const double mm : {1e6, 3e9, 1e300}) {
+        LayoutOptions options;
+        options.spacing = Length::millimetres(mm);
+        Diagnostics diagnostics;
+        const auto layout = lay_out({design_of("d", {piece, piece})}, options, diagnostics);
+        ASSERT_TRUE(layout.has_value()) << mm;
+        EXPECT_EQ(layout->sheets.size(), 2U) << mm;
+    }
+}
+
+TEST(Layout, CopiesThatThereAreNotCannotBeLocked) {
+    for (const int copy : {-1, 1, std::numeric_limits<int>::min(), std::numeric_limits<int>::max()}) {
+        LayoutOptions options;
+        options.rules = {{"p", copy, {}, PieceLock{0, {20, 20}, {}}}};
+        Diagnostics diagnostics;
+        EXPECT_FALSE(lay_out({design_of("d", {piece_of("p", rectangle(1, 1))})}, options, diagnostics));
+        EXPECT_EQ(diagnostics.sorted().at(0).code, "unknown-piece") << copy;
+    }
 }
 
 TEST(Layout, TooManyCopiesAndBoundlessScalesAreErrors) {
