@@ -103,7 +103,8 @@ struct Compilation {
 
 // Runs the stages on every source, in parallel under options.threads, then lays all patterns out together.
 // A design's stages end with the first that gives nothing; warnings that the policy made errors do not stop
-// it. Never throws for bad input; findings are in the result.
+// it. Never throws for bad input; findings are in the result. What a function of the options throws goes on
+// to the caller, when all threads have ended.
 Compilation compile(std::vector<Source> sources, const CompileOptions& options,
                     const DiagnosticPolicy& policy);
 

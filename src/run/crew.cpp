@@ -1,6 +1,7 @@
 #include "run/crew.h"
 
 #include <atomic>
+#include <exception>
 #include <mutex>
 #include <system_error>
 #include <thread>
@@ -16,8 +17,10 @@ class Crew {
     Crew(const Crew&) = delete;
     Crew& operator=(const Crew&) = delete;
 
+    ~Crew() { join(); }
+
     // Threads may start others until each of them has found that nothing is left.
-    ~Crew() {
+    void join() {
         next_.store(count_);
         for (;;) {
             std::thread other;
@@ -40,6 +43,12 @@ class Crew {
         }
     }
 
+    // All threads have ended. What was thrown in another than the caller's goes on from here.
+    void finish() {
+        join();
+        if (thrown_) std::rethrow_exception(thrown_);
+    }
+
  private:
     void grow() {
         const std::lock_guard lock(growing_);
@@ -47,7 +56,13 @@ class Crew {
         if (options_.may_start && !options_.may_start()) return;
         try {
             others_.emplace_back([this] {
-                work();
+                try {
+                    work();
+                } catch (...) {
+                    const std::lock_guard of_thrown(growing_);
+                    if (!thrown_) thrown_ = std::current_exception();
+                    next_.store(count_);
+                }
                 if (options_.ended) options_.ended();
             });
             ++begun_;
@@ -76,6 +91,7 @@ class Crew {
     std::mutex growing_;
     std::size_t begun_ = 1;
     std::vector<std::thread> others_;
+    std::exception_ptr thrown_;  // the first, of another thread than the caller's
 };
 
 }  // namespace
@@ -84,6 +100,7 @@ void share_work(std::size_t count, const CrewOptions& options, const std::functi
     {
         Crew crew(count, options, work);
         crew.work();
+        crew.finish();
     }
     if (options.progress && count > 0) options.progress(count, count);
 }

@@ -89,6 +89,29 @@ TEST(Crew, WhatItsOwnThreadThrowsComesThroughAfterAllHaveEnded) {
     EXPECT_EQ(yes, ended);
 }
 
+TEST(Crew, WhatAnotherThreadThrowsComesThroughToo) {
+    std::atomic<int> yes{0};
+    std::atomic<int> ended{0};
+    std::atomic<bool> has_thrown{false};
+    const auto here = std::this_thread::get_id();
+    const CrewOptions options{4,
+                              [&] {
+                                  ++yes;
+                                  return true;
+                              },
+                              [&] { ++ended; }};
+    EXPECT_THROW(share_work(1000, options,
+                            [&](std::size_t) {
+                                if (std::this_thread::get_id() != here) {
+                                    has_thrown = true;
+                                    throw std::runtime_error("no");
+                                }
+                                while (!has_thrown) std::this_thread::yield();
+                            }),
+                 std::runtime_error);
+    EXPECT_EQ(yes, ended);
+}
+
 TEST(Crew, ACompilationGivesBackEveryThreadItGot) {
     std::vector<Source> sources;
     for (int i = 0; i < 6; ++i) {
