@@ -62,7 +62,8 @@ class NewFile {
     ~NewFile();  // without commit(): no trace is left
     // False: it cannot be written; trouble() says why.
     bool write(std::string_view bytes);
-    // The permissions it shall have; without, those of a new file. Where that cannot be done they stay.
+    // The permissions it shall have from then on; without, those of a new file. Where that cannot be done
+    // they stay.
     void keep_mode(unsigned mode);
     // Flushes what was written and moves it into place.
     bool commit();
@@ -73,6 +74,7 @@ class NewFile {
     bool fail();
     std::string path_;
     std::string temporary_;
+    std::optional<unsigned> mode_;
     std::string trouble_;
     int fd_ = -1;
 };

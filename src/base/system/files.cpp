@@ -523,7 +523,9 @@ bool NewFile::fail() {
 bool NewFile::open() {
     temporary_ = beside(path_, temporary_name());
     fd_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    return fd_ >= 0 || fail();
+    if (fd_ < 0) return fail();
+    if (mode_) keep_mode(*mode_);
+    return true;
 }
 
 bool NewFile::write(std::string_view bytes) {
@@ -533,6 +535,7 @@ bool NewFile::write(std::string_view bytes) {
 }
 
 void NewFile::keep_mode(unsigned mode) {
+    mode_ = mode;
     if (fd_ >= 0) ::fchmod(fd_, static_cast<mode_t>(mode & 0777U));
 }
 

@@ -236,6 +236,20 @@ TEST(RemoveLitter, TakesWhatHasLainForADayWhoeverMadeIt) {
     EXPECT_EQ(scratch.names(), std::vector<std::string>());
 }
 
+TEST(NewFile, HasTheModeThatItWasGivenBeforeItsFirstByteToo) {
+    const ScratchDirectory scratch;
+    for (const bool before : {true, false}) {
+        const fs::path path = scratch / (before ? "before" : "after");
+        NewFile file(path.string());
+        if (before) file.keep_mode(0600);
+        ASSERT_TRUE(file.write("private"));
+        if (!before) file.keep_mode(0600);
+        ASSERT_TRUE(file.commit());
+        EXPECT_EQ(mode_of(path), 0600U) << path;
+        EXPECT_EQ(read_file(path), "private");
+    }
+}
+
 // An old file may wait under such a name to be brought back: when it was written says nothing then.
 TEST(RemoveLitter, AsksWhenANameWasGivenAndNotWhenTheFileWasWritten) {
     const ScratchDirectory scratch;
