@@ -15,6 +15,8 @@ namespace popup {
 namespace {
 
 constexpr double kInch = 25.4;
+constexpr double kLeastDpi = 1.0;
+constexpr double kMostDpi = 10'000.0;
 constexpr int kMostSide = 32767;
 constexpr double kMostPixels = 300e6;
 
@@ -127,18 +129,18 @@ Layout page_of(const Layout& layout, std::size_t design, std::size_t piece) {
 
 std::optional<std::vector<SheetFile>> write_png(const Layout& layout, const OutputOptions& options,
                                                 Diagnostics& diagnostics) {
-    const double scale = options.dpi / kInch;
+    const double dpi = std::fmin(std::fmax(options.dpi, kLeastDpi), kMostDpi);
+    const double scale = dpi / kInch;
     for (const LayoutSheet& sheet : layout.sheets) {
         const double width = std::ceil(sheet.width_mm * scale - 1e-6);
         const double height = std::ceil(sheet.height_mm * scale - 1e-6);
         if (std::max(width, height) <= kMostSide && width * height <= kMostPixels) continue;
         diagnostics
-            .error(
-                "picture-too-large", {},
-                fmt::format("a sheet of {:.1f} × {:.1f} mm has {:.0f} × {:.0f} pixels at {} dpi; a picture "
-                            "has at most {} on a side and {:.0f} million in all",
-                            sheet.width_mm, sheet.height_mm, width, height, options.dpi, kMostSide,
-                            kMostPixels / 1e6))
+            .error("picture-too-large", {},
+                   fmt::format(
+                       "a sheet of {:.1f} × {:.1f} mm has {:.0f} × {:.0f} pixels at {} dpi; a picture "
+                       "has at most {} on a side and {:.0f} million in all",
+                       sheet.width_mm, sheet.height_mm, width, height, dpi, kMostSide, kMostPixels / 1e6))
             .hint("choose a smaller --dpi");
         return std::nullopt;
     }
@@ -152,7 +154,7 @@ std::optional<std::vector<SheetFile>> write_png(const Layout& layout, const Outp
                           static_cast<int>(std::ceil(drawing.height_mm * scale - 1e-6)), scale, font.get());
         const auto row_of = [&](int y, unsigned char* row) { return painting.copy_row(y, row); };
         std::string bytes;
-        if (to_png(painting.width(), painting.height(), row_of, options.dpi, bytes)) return bytes;
+        if (to_png(painting.width(), painting.height(), row_of, dpi, bytes)) return bytes;
         report_failure("PNG", diagnostics);
         return std::nullopt;
     };
