@@ -220,7 +220,9 @@ bool ResultIndex::add(const std::string& name, Diagnostics& diagnostics) {
     const auto file = static_cast<std::uint32_t>(files_.size());
     files_.push_back(name);
     std::uint64_t offset = 0;
+    bool is_results = true;  // no line is another's; one may be cut off
     for (std::string line; std::getline(in, line); offset += line.size() + 1) {
+        if (offset == 0) is_results = line.empty() || line.starts_with(kResultBegin.substr(0, line.size()));
         if (!line.starts_with(kResultBegin) || !line.ends_with('}')) continue;
         const std::optional<Key> key = key_of(std::string_view(line).substr(kResultBegin.size(), kKeyDigits));
         if (!key) continue;
@@ -233,8 +235,11 @@ bool ResultIndex::add(const std::string& name, Diagnostics& diagnostics) {
         } else {
             spots_.emplace(*key, spot);
         }
+        is_results = true;
     }
-    return true;
+    if (is_results) return true;
+    diagnostics.error("unreadable-input", {}, name + " holds no results of a batch");
+    return false;
 }
 
 std::vector<JobResult> ResultIndex::of(const std::string& key) const {

@@ -80,7 +80,8 @@ std::vector<std::string> oldest_first(std::vector<std::string> names);
 class ResultIndex {
  public:
     // Adds what `name` holds; a file that is not there holds nothing. Lines that are no result, such as one
-    // that was cut off as the machine went down, are passed over. False: it is there and cannot be read.
+    // that was cut off as the machine went down, are passed over. False after an error: it is there and
+    // cannot be read, or holds none and does not begin as results do.
     bool add(const std::string& name, Diagnostics& diagnostics);
     // The lines on the job, of each file the last, in the order in which the files were added. Reads the
     // files again.

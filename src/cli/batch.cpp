@@ -53,7 +53,13 @@ Shard parse_shard(std::string_view text) {
 Shard shard_of_environment() {
     const auto variable = [](const char* name) -> std::optional<int> {
         const char* text = std::getenv(name);
-        return text == nullptr ? std::nullopt : whole_number(text);
+        if (text == nullptr || *text == '\0') return std::nullopt;
+        const std::optional<int> number = whole_number(text);
+        if (!number) {
+            throw UsageError(fmt::format("{} is \"{}\", which is no whole number", name, text),
+                             {"say which part this is with --shard I/N"});
+        }
+        return number;
     };
     const std::optional<int> id = variable("SLURM_ARRAY_TASK_ID");
     const std::optional<int> count = variable("SLURM_ARRAY_TASK_COUNT");
