@@ -143,8 +143,8 @@ struct NewCard {
     // the template.
     std::string unit = {};
 };
-// The document; nullopt after an error: an element that there is not, or that has no room. Precondition:
-// there is a template of that name.
+// The document; nullopt after an error: an element that there is not, or that has no room, and `page-size`.
+// Precondition: there is a template of that name.
 std::optional<std::string> new_document(const NewCard& wanted, Diagnostics& diagnostics);
 
 }  // namespace popup

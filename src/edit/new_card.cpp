@@ -5,6 +5,7 @@
 
 #include "edit/session.h"
 #include "edit/templates.h"
+#include "input/design_limits.h"
 #include "input/xml/number.h"
 #include "input/xml/read.h"
 #include "input/xml/units.h"
@@ -86,6 +87,13 @@ std::span<const CardTemplate> card_templates() {
 }
 
 std::optional<std::string> new_document(const NewCard& wanted, Diagnostics& diagnostics) {
+    for (const std::optional<double>& mm : {wanted.width_mm, wanted.height_mm}) {
+        if (!mm || (*mm >= kSmallestPage && *mm <= kLargestPage)) continue;
+        diagnostics.error("page-size", {},
+                          fmt::format("a card of {} mm on a side cannot be made; {} to {} mm can", *mm,
+                                      kSmallestPage, kLargestPage));
+        return std::nullopt;
+    }
     if (!wanted.pattern.empty()) {
         const auto all = card_templates();
         const auto found = std::find_if(all.begin(), all.end(),
