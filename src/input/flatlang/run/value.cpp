@@ -275,10 +275,15 @@ double text_number(std::string_view text) {
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (end != text.data() + text.size()) return 0.0;
     if (error == std::errc::result_out_of_range) {
-        // Too small is 0 and too large infinite; from_chars does not say which.
+        // Too small is 0 and too large infinite; from_chars does not say which. A double may not hold it,
+        // either.
         double wide = 0.0;
-        std::from_chars(text.data(), text.data() + text.size(), wide);
-        const bool small = std::fabs(wide) < 1.0;
+        const auto [rest, again] = std::from_chars(text.data(), text.data() + text.size(), wide);
+        const std::size_t exponent = text.find_first_of("eE");
+        const bool small = again == std::errc::result_out_of_range
+                               ? text.substr(std::min(exponent, text.size())).find('-') != text.npos ||
+                                     (exponent == text.npos && text[text.find_first_not_of('0')] == '.')
+                               : std::fabs(wide) < 1.0;
         return signed_value(small ? 0.0 : std::numeric_limits<double>::infinity());
     }
     if (error != std::errc()) return 0.0;
