@@ -67,6 +67,8 @@ constexpr double kStays = 1e-3;
 constexpr double kOtherWay = 0.02;
 // States whose angles differ by less are the same to the eye, radians.
 constexpr double kBeside = 0.01;
+// How near to what is asked for, one after the other until it is paper.
+constexpr std::array kNearShares{1.0, 0.9999, 0.9995, 0.999, 0.995};
 // Folds that are asked for are there, radians; by so much each turn comes nearer, and so many turns are
 // taken.
 constexpr double kThereRad = 1e-9;
@@ -289,6 +291,8 @@ class Walk {
         Angles nearest = found;
         if (closure_.has_bends()) {
             closure_.draw_near(nearest, target_);
+        } else if ((target_.array() != 0.0).all()) {
+            come_near_target(nearest);
         } else if (!give_way(nearest)) {
             return;
         }
@@ -300,6 +304,21 @@ class Walk {
         if (go_on(share, end) == end) return;
         ranges_.resize(left);
         std::move(before.begin(), before.end(), std::back_inserter(ranges_));
+    }
+
+    // Where all folds are asked for and go that way: as near as closure allows. Beside paper that is folded
+    // flat, which rounding keeps from closing, the nearest state may turn a fold by a little more than half a
+    // turn.
+    void come_near_target(Angles& angles) {
+        const Angles from = angles;
+        if ((target_ - from).lpNorm<Eigen::Infinity>() < kBeside) return;
+        if ((from.array() * target_.array() < 0.0).any()) return;
+        for (const double share : kNearShares) {
+            angles = from;
+            closure_.draw_near(angles, share * target_);
+            if (is_paper(angles)) return;
+        }
+        angles = from;
     }
 
     // Closing the loops takes from folds that are asked for and gives to those that are not. Lets the others
