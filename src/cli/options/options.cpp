@@ -39,7 +39,12 @@ void add_codes(CLI::App& verb, const std::string& name, const std::string& about
 
 Length length_option(std::string_view option, std::string_view text, double least_mm) {
     const std::optional<Length> length = parse_length(text);
-    if (!length || length->mm < least_mm || length->mm > 1e6) {
+    constexpr double kMostLengthMm = 1e6;
+    if (length && length->mm > kMostLengthMm) {
+        throw UsageError(
+            fmt::format("{} takes {:.0f} m at most, not \"{}\"", option, kMostLengthMm / 1e3, text));
+    }
+    if (!length || length->mm < least_mm) {
         const std::string least = least_mm <= 0.0   ? "of zero or more"
                                   : least_mm < 0.01 ? "above zero"
                                                     : fmt::format("of {} mm or more", least_mm);

@@ -298,6 +298,27 @@ TEST(Batch, ADryRunPrintsTheRowsThatAreDueAndDoesNothing) {
     EXPECT_EQ(differing(files_below(scratch.path()), before), std::set<std::string>());
 }
 
+TEST(Batch, TakesNoResultsThatAreNoneAndNoTaskThatHasNoNumber) {
+    const ScratchDirectory scratch;
+    make_library(scratch.path(), 2);
+    RunOptions here;
+    here.directory = scratch.path();
+    ASSERT_EQ(popupc({"batch", "jobs.jsonl"}, here).exit, 0);
+    const RunResult other = popupc({"merge-reports", "jobs.jsonl", "designs/card1.xml"}, here);
+    EXPECT_EQ(other.exit, 2);
+    EXPECT_NE(other.err.find("card1.xml holds no results of a batch"), std::string::npos) << other.err;
+    // What was cut off is the beginning of a result.
+    write_file(scratch / "jobs.results.1-of-3.jsonl", "{\"ke");
+    EXPECT_EQ(popupc({"merge-reports", "jobs.jsonl"}, here).exit, 0);
+    for (const char* name : {"SLURM_ARRAY_TASK_ID", "SLURM_ARRAY_TASK_COUNT"}) {
+        here.environment = {{"SLURM_ARRAY_TASK_ID", "1"}, {"SLURM_ARRAY_TASK_COUNT", "3"}};
+        here.environment[name] = "2x";
+        const RunResult task = popupc({"batch", "jobs.jsonl"}, here);
+        EXPECT_EQ(task.exit, 2);
+        EXPECT_NE(task.err.find(std::string(name) + " is \"2x\""), std::string::npos) << task.err;
+    }
+}
+
 TEST(Batch, ShardsTogetherDoAllOnceAndMergeToOneReport) {
     const ScratchDirectory scratch;
     const ScratchDirectory whole;
