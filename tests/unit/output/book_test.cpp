@@ -532,5 +532,22 @@ TEST(Book, ABrowserHasNothingToSayOfIt) {
     EXPECT_EQ(driven.at("values")[3], true);
 }
 
+// An assembly bears the name of the document that it was made from, and findings about it that of its own
+// file.
+TEST(Book, OfAnAssemblySaysWhatWasFound) {
+    const test::ScratchDirectory scratch;
+    const std::string card = std::string(POPUP_SOURCE_DIR) + "/tests/cases/collisions/apart.xml";
+    const auto found_in = [&](const std::string& input, const std::string& name) {
+        EXPECT_EQ(test::popupc({"build", input, "-o", scratch / name}).exit, 0);
+        const std::string page = test::read_file(scratch / name);
+        const std::size_t at = page.find("What popupc found");
+        return at == std::string::npos ? std::string() : page.substr(at, page.find("</ul>", at) - at);
+    };
+    const std::string of_card = found_in(card, "card.book.html");
+    EXPECT_NE(of_card.find("goes through"), std::string::npos) << of_card;
+    test::write_file(scratch / "card.assembly.json", test::popupc({"build", card, "--emit", "assembly"}).out);
+    EXPECT_EQ(found_in(scratch / "card.assembly.json", "read.book.html"), of_card);
+}
+
 }  // namespace
 }  // namespace popup
