@@ -7,7 +7,10 @@
 #include <array>
 #include <tuple>
 #include <utility>
+#include <vector>
 
+#include "base/geometry/regions.h"
+#include "base/nth.h"
 #include "check/checker.h"
 #include "check/crossed.h"
 #include "check/named_place.h"
@@ -18,6 +21,8 @@
 namespace popup {
 
 namespace {
+
+constexpr double kSpeckMm2 = 1e-3;
 
 FoldLines lines_of(const ElementRow& row, const Element& element) { return row.fold_lines(element); }
 
@@ -313,8 +318,15 @@ PaperQuery Checker::query_of(const Element& element) const {
                 });
             },
             [this, ask](Side side, const Ring& ring) {
-                return ask(side,
-                           [&](int, int page, const DirectedLine&) { return paper.seam_near(page, ring); });
+                return ask(side, [&](int, int page, const DirectedLine&) {
+                    if (paper.seam_near(page, ring)) return true;
+                    // The border of an area may be far away.
+                    const std::vector<int> areas = paper.glued_near(page, bounds(ring));
+                    return std::any_of(areas.begin(), areas.end(), [&](int number) {
+                        const GluedArea& glued = nth(skeleton->draft.glued_areas, number);
+                        return area(intersect(glued.on_base, {{ring, {}}})) > kSpeckMm2;
+                    });
+                });
             },
             [this, &site = element.site](const Ring& ring) {
                 return pierce({*skeleton, plates, index, paper, options.tolerances}, site.left_page, ring);

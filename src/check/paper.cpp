@@ -257,13 +257,19 @@ bool PaperMap::may_glue(int plate, int page_number, const DirectedLine* line, co
         return proper_crossing(core, edge).has_value();
     });
     if (crosses) return false;
-    // Between where something is cut out beside it, each stretch has paper on one side at least: it may run
-    // along an edge, and past what is cut out of that.
     const double near = tolerances_.rounding_mm;
     found.clear();
     page_edges.cut_boxes.query(box_around(std::array{seam.a, seam.b}, near), found);
     std::erase_if(
         found, [&](int number) { return page_edges.cuts[static_cast<std::size_t>(number)].first != plate; });
+    const auto is_cut = [&](Vec2 at) {
+        return std::any_of(found.begin(), found.end(), [&](int number) {
+            return contains({page_edges.cuts[static_cast<std::size_t>(number)].second, {}}, at);
+        });
+    };
+    if (is_cut(0.5 * (seam.a + seam.b))) return false;
+    // Between where something is cut out beside it, each stretch has paper on one side at least: it may run
+    // along an edge, but not past what is cut out of that.
     std::vector<double> ends{0.0, 1.0};
     for (const int number : found) {
         for (const Vec2 corner : page_edges.cuts[static_cast<std::size_t>(number)].second) {
@@ -272,12 +278,10 @@ bool PaperMap::may_glue(int plate, int page_number, const DirectedLine* line, co
         }
     }
     std::sort(ends.begin(), ends.end());
-    const Vec2 step = size > 0.0 ? slack * left_of(unit(seam.b - seam.a)) : Vec2{};
-    const auto has_paper = [&](Vec2 at) {
-        return inside(outline, at, kOnLine) && std::none_of(found.begin(), found.end(), [&](int number) {
-                   return contains({page_edges.cuts[static_cast<std::size_t>(number)].second, {}}, at);
-               });
-    };
+    // What is up to `slack` off the edge is on it.
+    const double aside = fit == Fit::exact ? 4.0 * kOnLine : 1.5 * slack;
+    const Vec2 step = size > 0.0 ? aside * left_of(unit(seam.b - seam.a)) : Vec2{};
+    const auto has_paper = [&](Vec2 at) { return contains(outline, at) && !is_cut(at); };
     for (std::size_t i = 1; i < ends.size(); ++i) {
         if ((ends[i] - ends[i - 1]) * size <= 2.0 * near && ends.size() > 2) continue;
         const Vec2 middle = seam.a + 0.5 * (ends[i - 1] + ends[i]) * (seam.b - seam.a);
