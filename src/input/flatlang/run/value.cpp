@@ -253,6 +253,31 @@ std::string number_text(double value) {
     return sign + digits.substr(0, whole) + "." + padded(digits.substr(whole));
 }
 
+namespace {
+
+// Of a decimal number that no float holds, without a sign: whether it is too small, and not too large.
+bool is_below_one(std::string_view text) {
+    const std::size_t mark = std::min(text.find_first_of("eE"), text.size());
+    const std::string_view digits = text.substr(0, mark);
+    const std::size_t first = std::min(digits.find_first_not_of("0."), digits.size());
+    const std::size_t dot = std::min(digits.find('.'), digits.size());
+    long exponent = 0;
+    if (mark < text.size()) {
+        std::string_view written = text.substr(mark + 1);
+        const bool below = written.starts_with('-');
+        if (below || written.starts_with('+')) written.remove_prefix(1);
+        constexpr long kBeyond = 1'000'000;  // more than there are digits
+        const auto [end, problem] =
+            std::from_chars(written.data(), written.data() + written.size(), exponent);
+        if (problem == std::errc::result_out_of_range) exponent = kBeyond;
+        if (below) exponent = -exponent;
+    }
+    // The first digit stands for so many tens.
+    return exponent + static_cast<long>(dot) - static_cast<long>(first) <= 0;
+}
+
+}  // namespace
+
 double text_number(std::string_view text) {
     constexpr std::size_t kLongest = 4096;
     if (text.size() > kLongest) return 0.0;
@@ -275,16 +300,8 @@ double text_number(std::string_view text) {
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (end != text.data() + text.size()) return 0.0;
     if (error == std::errc::result_out_of_range) {
-        // Too small is 0 and too large infinite; from_chars does not say which. A double may not hold it,
-        // either.
-        double wide = 0.0;
-        const auto [rest, again] = std::from_chars(text.data(), text.data() + text.size(), wide);
-        const std::size_t exponent = text.find_first_of("eE");
-        const bool small = again == std::errc::result_out_of_range
-                               ? text.substr(std::min(exponent, text.size())).find('-') != text.npos ||
-                                     (exponent == text.npos && text[text.find_first_not_of('0')] == '.')
-                               : std::fabs(wide) < 1.0;
-        return signed_value(small ? 0.0 : std::numeric_limits<double>::infinity());
+        // Too small is 0 and too large infinite; from_chars does not say which.
+        return signed_value(is_below_one(text) ? 0.0 : std::numeric_limits<double>::infinity());
     }
     if (error != std::errc()) return 0.0;
     return signed_value(static_cast<double>(value));
