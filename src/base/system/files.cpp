@@ -522,8 +522,10 @@ bool NewFile::fail() {
 
 bool NewFile::open() {
     temporary_ = beside(path_, temporary_name());
-    fd_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    fd_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC,
+                 static_cast<mode_t>(mode_.value_or(0666U) & 0777U));
     if (fd_ < 0) return fail();
+    // The mask of the process takes from that.
     if (mode_) keep_mode(*mode_);
     return true;
 }
