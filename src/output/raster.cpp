@@ -15,7 +15,7 @@ namespace popup {
 namespace {
 
 constexpr double kInch = 25.4;
-constexpr double kLeastDpi = 1.0;
+constexpr double kLeastDpi = 0.01;
 constexpr double kMostDpi = 10'000.0;
 constexpr int kMostSide = 32767;
 constexpr double kMostPixels = 300e6;
