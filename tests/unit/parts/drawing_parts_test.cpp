@@ -402,7 +402,7 @@ TEST(RoundTrip, SheetsOfEverySampleReadBackAreTheSamePieces) {
             compile({Source{entry.path().string(), test::read_file(entry.path())}}, options, {});
         ASSERT_TRUE(run.layout);
         std::map<std::string, const PatternPiece*> pieces;
-        for (const PatternPiece& piece : run.designs[0].pattern->pieces) pieces[piece.name] = &piece;
+        for (const PatternPiece& piece : run.layout->designs[0].pattern.pieces) pieces[piece.name] = &piece;
         Diagnostics diagnostics;
         const auto sheets = write_svg(*run.layout, {}, diagnostics);
         ASSERT_TRUE(sheets);
