@@ -90,7 +90,7 @@ struct LayoutOptions {
     std::vector<StockRow> stock;                // if not empty, instead of `sheet`
     Vec2 bed;                                   // of the machine: no sheet may be larger; 0 × 0: any may
     Length margin = Length::millimetres(5.0);   // free edge of the sheet, ≥ 0
-    Length spacing = Length::millimetres(2.0);  // between pieces, ≥ 0; what is out of range is at its end
+    Length spacing = Length::millimetres(2.0);  // between pieces, 0 to 100 m; else the nearer end
     Rotation rotation;
     Grain grain = Grain::none;   // if not none, instead of all rotations
     bool part_in_hole = true;    // whether pieces may lie in the holes of others

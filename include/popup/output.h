@@ -71,7 +71,7 @@ struct OutputOptions {
     ScoreSide score_side = ScoreSide::front;
     bool print_and_cut = false;  // what is printed and what is cut are files of their own
     double reference_mm = 0.0;   // > 0: a bar of this length on each sheet, to measure
-    double dpi = 300.0;          // of raster pictures, 0.01 to 10 000; what is out of range is at its end
+    double dpi = 300.0;          // of raster pictures, 0.01 to 10 000; else the nearer end
     FoldDialect fold_dialect = FoldDialect::simulator;
     StillOptions still;
     std::optional<TileOptions> tile;  // of .pdf: on pages of this paper; none: a page a sheet

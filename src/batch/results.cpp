@@ -238,7 +238,8 @@ bool ResultIndex::add(const std::string& name, Diagnostics& diagnostics) {
         is_results = true;
     }
     if (is_results) return true;
-    diagnostics.error("unreadable-input", {}, name + " holds no results of a batch");
+    diagnostics.error("unreadable-input", {}, name + " holds no results of a batch")
+        .hint("name a file that batch has written, such as jobs.results.jsonl");
     return false;
 }
 

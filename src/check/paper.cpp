@@ -278,7 +278,7 @@ bool PaperMap::may_glue(int plate, int page_number, const DirectedLine* line, co
         }
     }
     std::sort(ends.begin(), ends.end());
-    // What is up to `slack` off the edge is on it.
+    // A seam may be up to `slack` off the edge: the look is a little beyond that.
     const double aside = fit == Fit::exact ? 4.0 * kOnLine : 1.5 * slack;
     const Vec2 step = size > 0.0 ? aside * left_of(unit(seam.b - seam.a)) : Vec2{};
     const auto has_paper = [&](Vec2 at) { return contains(outline, at) && !is_cut(at); };

@@ -537,7 +537,7 @@ class Layouter {
 
     const LayoutOptions& options_;
     Diagnostics& diagnostics_;
-    const double spacing_mm_;  // more parts no pieces
+    const double spacing_mm_;  // that of the options, within its range
     Layout layout_;
     std::vector<PieceSource> sources_;
     std::vector<SheetRow> rows_;

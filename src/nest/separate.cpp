@@ -131,8 +131,8 @@ void Separator::pass(double limit) {
 double Separator::settle(int item, Stand& stand, double cost) {
     const Board::Range range = board_.range(stand.shape, stand.sheet);
     bool level = dice_.below(2) == 0;
-    // How many of the two lines through the stand can gain nothing: that along which it has just been moved
-    // is one of them.
+    // How many of the two lines through the stand can gain nothing. After a move it is one: the line of that
+    // move, which went to its best place.
     int idle = 0;
     for (int i = 0; i < 12 && idle < 2; ++i, level = !level) {
         Stand next = stand;

@@ -43,7 +43,7 @@ class Crew {
         }
     }
 
-    // All threads have ended. What was thrown in another than the caller's goes on from here.
+    // Waits until all threads have ended, and throws what another than the caller's has thrown first.
     void finish() {
         join();
         if (thrown_) std::rethrow_exception(thrown_);

@@ -525,7 +525,7 @@ bool NewFile::open() {
     fd_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC,
                  static_cast<mode_t>(mode_.value_or(0666U) & 0777U));
     if (fd_ < 0) return fail();
-    // The mask of the process takes from that.
+    // open() takes away what the mask of the process does not allow.
     if (mode_) keep_mode(*mode_);
     return true;
 }
