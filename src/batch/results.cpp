@@ -34,10 +34,15 @@ ordered_json json_of(const std::vector<FileDigest>& files) {
     return list;
 }
 
+// A count; throws where it is negative, broken or no number. To convert such a number is undefined.
+std::uint64_t count_of(const ordered_json& value) {
+    return value.get_ref<const ordered_json::number_unsigned_t&>();
+}
+
 std::vector<FileDigest> files_of(const ordered_json& list) {
     std::vector<FileDigest> files;
     for (const ordered_json& one : list) {
-        files.push_back({one.at("file").get<std::string>(), one.at("bytes").get<std::uint64_t>(),
+        files.push_back({one.at("file").get<std::string>(), count_of(one.at("bytes")),
                          one.at("sha256").get<std::string>()});
     }
     return files;
@@ -97,8 +102,8 @@ std::optional<JobResult> result_of(std::string_view line) {
         result.status = *known;
         result.inputs = files_of(read.at("inputs"));
         result.outputs = files_of(read.at("outputs"));
-        result.errors = read.at("errors").get<std::size_t>();
-        result.warnings = read.at("warnings").get<std::size_t>();
+        result.errors = count_of(read.at("errors"));
+        result.warnings = count_of(read.at("warnings"));
         const ordered_json& list = read.at("diagnostics");
         if (!list.is_array()) return std::nullopt;
         for (const ordered_json& one : list) {

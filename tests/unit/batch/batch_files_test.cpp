@@ -160,5 +160,20 @@ TEST(Results, ALineReadsBackAndATornOneIsPassedOver) {
     }
 }
 
+TEST(Results, ALineWhoseCountsAreNoCountsIsNone) {
+    JobResult result;
+    result.inputs = {{"a.xml", 3, sha256("abc")}};
+    const std::string line = to_line(result);
+    ASSERT_TRUE(result_of(line));
+    for (const char* count : {"\"bytes\":3", "\"errors\":0", "\"warnings\":0"}) {
+        const std::size_t end = line.find(count) + std::string_view(count).size();
+        for (const char* other : {"-3.3", "-1", "1e300", "\"0\""}) {
+            std::string wrong = line;
+            wrong.replace(end - 1, 1, other);
+            EXPECT_FALSE(result_of(wrong)) << wrong;
+        }
+    }
+}
+
 }  // namespace
 }  // namespace popup::test
