@@ -87,6 +87,84 @@ class Queue {
     std::set<int> offers_;
 };
 
+// Moves those that are in circles, with what must follow (or lead) them, past their neighbours, as long as
+// more wants are met by that.
+class Mover {
+ public:
+    Mover(const Lists& blocks, const Lists& meets) : blocks_(sets_of(blocks)), meets_(sets_of(meets)) {}
+
+    void run(std::vector<int>& order, const std::vector<char>& in_circle) const {
+        bool moved = true;
+        for (int round = 0; round < kRounds && moved; ++round) {
+            moved = false;
+            for (std::size_t at = 0; at < order.size(); ++at) {
+                if (nth(in_circle, order[at]) != 0)
+                    moved = move_back(order, at) || move_on(order, at) || moved;
+            }
+        }
+    }
+
+ private:
+    static constexpr int kRounds = 8;
+    static constexpr std::size_t kFurthest = 64;
+
+    static std::vector<std::set<int>> sets_of(const Lists& lists) {
+        std::vector<std::set<int>> sets;
+        for (const std::vector<int>& list : lists) sets.emplace_back(list.begin(), list.end());
+        return sets;
+    }
+
+    [[nodiscard]] bool move_on(std::vector<int>& order, std::size_t at) const {
+        return move(order.begin() + static_cast<std::ptrdiff_t>(at), order.end(), [](int first, int then) {
+            return std::pair{first, then};
+        });
+    }
+    // The same from the end of the order, where what comes first comes then.
+    [[nodiscard]] bool move_back(std::vector<int>& order, std::size_t at) const {
+        return move(order.rend() - static_cast<std::ptrdiff_t>(at) - 1, order.rend(),
+                    [](int first, int then) {
+                        return std::pair{then, first};
+                    });
+    }
+
+    // Moves the first of a range on, to where most wants are met, of several places to the nearest. False if
+    // it stays.
+    template <typename Place, typename Turned>
+    [[nodiscard]] bool move(Place begin, Place end, const Turned& turned) const {
+        std::vector<int> along{*begin};
+        std::vector<int> passed;
+        std::vector<int> best;
+        int gain = 0;
+        int most = 0;
+        const auto furthest = std::min<std::ptrdiff_t>(end - begin, kFurthest);
+        for (const int other : std::vector<int>(begin + 1, begin + furthest)) {
+            const bool follows = std::any_of(along.begin(), along.end(), [&](int one) {
+                const auto [first, then] = turned(one, other);
+                return nth(blocks_, first).contains(then);
+            });
+            if (follows) {
+                along.push_back(other);
+                continue;
+            }
+            passed.push_back(other);
+            for (const int one : along) {
+                const auto [first, then] = turned(one, other);
+                gain +=
+                    (nth(meets_, then).contains(first) ? 1 : 0) - (nth(meets_, first).contains(then) ? 1 : 0);
+            }
+            if (gain <= most) continue;
+            most = gain;
+            best = passed;
+            best.insert(best.end(), along.begin(), along.end());
+        }
+        std::copy(best.begin(), best.end(), begin);
+        return most > 0;
+    }
+
+    std::vector<std::set<int>> blocks_;  // of each: those that must come after it
+    std::vector<std::set<int>> meets_;   // of each: those that had better
+};
+
 }  // namespace
 
 void break_circles(std::vector<std::set<int>>& before) {
@@ -152,6 +230,7 @@ std::vector<int> ordered(const std::vector<int>& by_rank, const Wants& wants) {
     Lists blocks(by_rank.size());
     Lists meets(by_rank.size());
     std::vector<int> blocked(by_rank.size(), 0);
+    std::vector<char> in_circle(by_rank.size(), 0);
     const auto must = [&](int from, int to) {
         nth(blocks, from).push_back(to);
         ++nth(blocked, to);
@@ -160,6 +239,7 @@ std::vector<int> ordered(const std::vector<int>& by_rank, const Wants& wants) {
     each(wants.wants, [&](int from, int to) {
         if (nth(circle, from) != nth(circle, to)) return must(from, to);
         nth(meets, from).push_back(to);
+        nth(in_circle, from) = nth(in_circle, to) = 1;
         queue.want(to);
     });
     for (std::size_t i = 0; i < by_rank.size(); ++i) {
@@ -167,12 +247,14 @@ std::vector<int> ordered(const std::vector<int>& by_rank, const Wants& wants) {
     }
     std::vector<int> order;
     while (const std::optional<int> one = queue.take()) {
-        order.push_back(nth(by_rank, *one));
+        order.push_back(*one);
         for (const int later : nth(meets, *one)) queue.meet(later);
         for (const int later : nth(blocks, *one)) {
             if (--nth(blocked, later) == 0) queue.add(later);
         }
     }
+    Mover(blocks, meets).run(order, in_circle);
+    for (int& one : order) one = nth(by_rank, one);
     return order;
 }
 

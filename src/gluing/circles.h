@@ -19,7 +19,8 @@ struct Wants {
     std::map<int, std::set<int>> wants;  // likewise, as far as it can be
 };
 // `by_rank` in the order in which they stand, but for what must be, and for all wants that are in no circle
-// of musts and wants; within a circle the one with the fewest open wants comes next. Cost: near linear.
+// of musts and wants. Within a circle the one with the fewest open wants comes next; then each is moved, with
+// what must stay on that side of it, where it meets more wants within 64 places. Cost: near linear.
 std::vector<int> ordered(const std::vector<int>& by_rank, const Wants& wants);
 
 }  // namespace popup
