@@ -12,6 +12,12 @@ constexpr float kMostGrowth = 2.0F;
 
 constexpr double kGain = 0.98;
 
+// Random places that are looked at to move an item, those of them that are near, and how far these are, as
+// shares of the item's box.
+constexpr int kSamples = 24;
+constexpr int kNearSamples = 8;
+constexpr double kNear = 0.3;
+
 }  // namespace
 
 Separator::Separator(Board& board, const Freedom& freedom, Dice& dice, Persistence persistence)
@@ -152,14 +158,48 @@ double Separator::settle(int item, Stand& stand, double cost) {
     return cost;
 }
 
+int Separator::any_of(const std::vector<int>& numbers) {
+    return numbers[index(dice_.below(static_cast<int>(numbers.size())))];
+}
+
+// A random place in a random turn; nullopt if the item does not fit there in it.
+std::optional<Stand> Separator::anywhere(int item) {
+    const std::vector<int>& sheets = freedom_.sheets[index(item)];
+    Stand stand;
+    stand.sheet = sheets.empty() ? dice_.below(static_cast<int>(board_.rooms().size())) : any_of(sheets);
+    stand.shape = any_of(freedom_.shapes[index(item)]);
+    const Board::Range range = board_.range(stand.shape, stand.sheet);
+    if (range.empty()) return std::nullopt;
+    stand.x = std::round(dice_.between(range.x0, range.x1));
+    stand.y = std::round(dice_.between(range.y0, range.y1));
+    return stand;
+}
+
+// The same where the middle of its box moves by no more than a share of the box.
+std::optional<Stand> Separator::nearby(int item) {
+    const Stand& old = board_.at(item);
+    Stand stand{old.sheet, any_of(freedom_.shapes[index(item)]), 0.0, 0.0};
+    const Board::Range range = board_.range(stand.shape, stand.sheet);
+    if (range.empty()) return std::nullopt;
+    const GridBox& from = board_.shape(old.shape).bounds;
+    const GridBox& to = board_.shape(stand.shape).bounds;
+    const auto shaken = [&](double at, GridLength was, GridLength is, GridLength size, double low,
+                            double high) {
+        const double middle = at + 0.5 * static_cast<double>(was - is);
+        const double reach = kNear * static_cast<double>(size);
+        return std::round(std::clamp(dice_.between(middle - reach, middle + reach), low, high));
+    };
+    stand.x = shaken(old.x, from.x0 + from.x1, to.x0 + to.x1, from.width(), range.x0, range.x1);
+    stand.y = shaken(old.y, from.y0 + from.y1, to.y0 + to.y1, from.height(), range.y0, range.y1);
+    return stand;
+}
+
 void Separator::move(int item) {
     const Stand old = board_.at(item);
     const double now = board_.cost(item, old, HUGE_VAL);
     if (now == 0.0) return;
     Stand best = old;
     double best_cost = now;
-    const std::vector<int>& shapes = freedom_.shapes[index(item)];
-    const std::vector<int>& sheets = freedom_.sheets[index(item)];
     const auto offer = [&](const Stand& stand, double cost) {
         if (cost < best_cost || (cost == best_cost && cost < now)) {
             best = stand;
@@ -172,33 +212,20 @@ void Separator::move(int item) {
         const double cost = settle(item, stand, now);
         offer(stand, cost);
     }
-    constexpr int kSamples = 16;
-    constexpr int kStarts = 1;
-    struct Start {
-        Stand stand;
-        double cost;
-    };
-    Start starts[kStarts];
-    int count = 0;
+    // From the best of some random places, a few of them near.
+    Stand start;
+    double least = HUGE_VAL;
     for (int i = 0; i < kSamples && best_cost > 0.0; ++i) {
-        Stand stand;
-        stand.sheet = sheets.empty() ? dice_.below(static_cast<int>(board_.rooms().size()))
-                                     : sheets[index(dice_.below(static_cast<int>(sheets.size())))];
-        stand.shape = shapes[index(dice_.below(static_cast<int>(shapes.size())))];
-        const Board::Range range = board_.range(stand.shape, stand.sheet);
-        if (range.empty()) continue;
-        stand.x = std::round(dice_.between(range.x0, range.x1));
-        stand.y = std::round(dice_.between(range.y0, range.y1));
-        const double bound = count == kStarts ? starts[kStarts - 1].cost : HUGE_VAL;
-        const double cost = board_.cost(item, stand, bound);
-        if (cost >= bound) continue;
-        int at = count < kStarts ? count++ : kStarts - 1;
-        for (; at > 0 && starts[at - 1].cost > cost; --at) starts[at] = starts[at - 1];
-        starts[at] = {stand, cost};
+        const auto stand = i < kNearSamples ? nearby(item) : anywhere(item);
+        if (!stand) continue;
+        const double cost = board_.cost(item, *stand, least);
+        if (cost >= least) continue;
+        start = *stand;
+        least = cost;
     }
-    for (int i = 0; i < count && best_cost > 0.0; ++i) {
-        const double cost = settle(item, starts[i].stand, starts[i].cost);
-        offer(starts[i].stand, cost);
+    if (least < HUGE_VAL && best_cost > 0.0) {
+        const double cost = settle(item, start, least);
+        offer(start, cost);
     }
     if (best_cost < now) board_.put(item, best);
 }

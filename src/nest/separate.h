@@ -1,6 +1,7 @@
 // Taking overlapping pieces apart by guided local search.
 #pragma once
 
+#include <optional>
 #include <random>
 #include <vector>
 
@@ -73,6 +74,9 @@ class Separator {
     // Moves each item that overlaps once, in random order, as long as there is work left.
     void pass(double limit);
     double settle(int item, Stand& stand, double cost);
+    int any_of(const std::vector<int>& numbers);
+    std::optional<Stand> anywhere(int item);
+    std::optional<Stand> nearby(int item);
     void move(int item);
 
     Board& board_;
