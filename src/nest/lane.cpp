@@ -10,19 +10,17 @@
 namespace popup {
 namespace {
 
-// Steps by which the last sheet gets shorter, as shares of its length: the least while searching, and the
-// first and the least of the compression at the end.
-constexpr double kSmallStep = 0.0005;
+// Steps by which the last sheet gets shorter, as shares of its length: while exploring, and the first and the
+// least of the compression at the end.
+constexpr double kExploreStep = 0.001;
 constexpr double kCompressStep = 0.0005;
 constexpr double kLeastStep = 0.00001;
-// An upset layout may be so much longer. A layout is upset again if it came so near to the best.
-constexpr double kWidening = 0.02;
-constexpr double kNear = 0.01;
-// Many layouts tried a little find more than few tried hard, but for what would be the best.
+// Many layouts tried a little find more than few tried hard.
 constexpr Persistence kLong{300, 3};
 constexpr Persistence kMiddling{100, 1};
-constexpr Persistence kShort{60, 1};
+constexpr Persistence kShort{60, 2};
 constexpr std::size_t kPool = 10;
+constexpr int kTries = 8;             // to set out with a shorter sheet, while exploring
 constexpr double kLargeShare = 0.75;  // of the items, those that are worth exchanging
 
 }  // namespace
@@ -38,15 +36,14 @@ Lane::Lane(NestTask& task, std::uint64_t seed, Pace pace)
 }
 
 void Lane::begin(const Arrangement& from, Aim aim) {
-    if (from.rows.size() != best_.rows.size() || aim != aim_ || aim == Aim::fit) pool_.clear();
-    const bool goes_on = aim == aim_ && from.rows == current_.rows;
+    const bool goes_on = aim == aim_ && from.rows == best_.rows;
+    if (!goes_on || aim == Aim::fit) pool_.clear();
     aim_ = aim;
     best_ = from;
     done_ = false;
-    if (!goes_on || aim == Aim::compress) current_ = from;
     if (!goes_on) {
         step_ = aim == Aim::compress ? kCompressStep : pace_.first_step;
-        upsetting_ = false;
+        exploring_ = false;
     }
     if (separator_ && !(goes_on && useful())) separator_.reset();
     least_ = least();
@@ -59,7 +56,7 @@ void Lane::know(std::vector<int> rows, std::vector<char> on_last) {
 
 void Lane::forget() {
     separator_.reset();
-    current_ = {};
+    best_ = {};
     pool_.clear();
 }
 
@@ -118,8 +115,8 @@ void Lane::attempt() {
     rows_ = best_.rows;
     if (length_of(best_) <= least_ * (1.0 + pace_.content) + 1.0) {
         done_ = true;
-    } else if (upsetting_) {
-        attempt_to_upset();
+    } else if (exploring_ && !pool_.empty()) {
+        attempt_again();
     } else {
         attempt_to_shorten();
     }
@@ -148,35 +145,39 @@ void Lane::attempt_to_fit() {
     set_off(kLong);
 }
 
+// Sets out with the last sheet as long as the target. Where something does not fit then, it may in another
+// turn or another's place. False if it does not.
+bool Lane::set_out_shorter() {
+    for (int i = 0; i < (exploring_ ? kTries : 1); ++i) {
+        set_out(best_.stands);
+        if (i > 0) disturb();
+        if (shorten(target_)) return true;
+    }
+    return false;
+}
+
 void Lane::attempt_to_shorten() {
-    const double length = length_of(current_);
-    target_ = std::max(std::ceil(least_), std::floor(length * (1.0 - step_)));
-    set_out(current_.stands);
-    if (shorten(target_)) {
-        const bool new_best = target_ < length_of(best_);
-        set_off(aim_ == Aim::compress ? kLong : new_best ? kMiddling : kShort);
-    } else if (aim_ == Aim::compress || by_size_.size() < 2) {
-        done_ = true;
+    const double step = exploring_ ? kExploreStep : step_;
+    target_ = std::max(std::ceil(least_), std::floor(length_of(best_) * (1.0 - step)));
+    if (set_out_shorter()) {
+        set_off(aim_ == Aim::compress ? kLong : exploring_ ? kShort : kMiddling);
+    } else if (aim_ == Aim::shorter && !exploring_) {
+        exploring_ = true;
     } else {
-        upsetting_ = true;
+        done_ = true;
     }
 }
 
-// Two pieces change places, where there is a little more room than the layout needs. It is that which was
-// shortened last, if that came near the best, else the best.
-void Lane::attempt_to_upset() {
-    const double own = length_of(current_);
-    const double best = length_of(best_);
-    const bool near = own <= best * (1.0 + kNear * dice_.unit());
-    set_out(near ? current_.stands : best_.stands);
-    disturb();
+// At the length that was tried in vain, from one of the layouts that overlapped least, with two pieces in
+// each other's place.
+void Lane::attempt_again() {
+    const double share = dice_.unit();
+    const auto one = static_cast<std::size_t>(share * share * static_cast<double>(pool_.size()));
+    set_out(pool_[one].stands);
     Room room = board_.rooms().back();
-    target_ = std::floor((near ? own : best) * (1.0 + kWidening * dice_.unit()));
-    for (const int item : board_.on_sheet(last()))
-        target_ = std::max(target_, static_cast<double>(board_.shape(board_.at(item).shape).bounds.width()));
-    target_ = std::min(room.width, target_);
     room.width = target_;
     board_.resize(last(), room);
+    disturb();
     set_off(kShort);
 }
 
@@ -236,25 +237,15 @@ void Lane::finish(Separator::State state) {
 void Lane::succeed() {
     separator_.reset();
     Arrangement found{board_.stands(), rows_};
-    if (shortens()) {
-        if (aim_ == Aim::shorter)
-            step_ = upsetting_ ? pace_.first_step : std::min(pace_.first_step, 2.0 * step_);
-        upsetting_ = false;
-        current_ = found;
-        if (!found.better_than(best_, task_)) return;
-    }
+    pool_.clear();
+    if (shortens() && !found.better_than(best_, task_)) return;
     best_ = std::move(found);
     // What lay on the last sheet may all have gone to others.
     while (best_.rows.size() > 1 && board_.on_sheet(static_cast<int>(best_.rows.size()) - 1).empty()) {
         best_.rows.pop_back();
-        pool_.clear();
-        current_ = best_;
     }
     least_ = least();
-    if (!shortens()) {
-        pool_.clear();
-        done_ = true;
-    }
+    if (!shortens()) done_ = true;
 }
 
 void Lane::fail() {
@@ -265,11 +256,8 @@ void Lane::fail() {
         step_ = std::max(kLeastStep, 0.5 * step_);
         return;
     }
-    if (aim_ == Aim::shorter) {
-        if (upsetting_) return;
-        // Further steps would not reach the best, or not make much of it.
-        step_ *= 0.25;
-        upsetting_ = step_ < kSmallStep || length_of(current_) * (1.0 - step_) > length_of(best_);
+    if (aim_ == Aim::shorter && !exploring_) {
+        exploring_ = true;
         return;
     }
     const auto at =

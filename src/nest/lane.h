@@ -13,7 +13,7 @@ namespace popup {
 enum class Aim {
     fit,       // place what overlaps, on the sheets there are
     fewer,     // one sheet less
-    shorter,   // a shorter last sheet, by large steps, from many layouts
+    shorter,   // a shorter last sheet, by large steps, then by small ones from many layouts
     compress,  // a shorter last sheet, by small steps from the best
 };
 
@@ -61,9 +61,10 @@ class Lane {
     void attempt();
     void attempt_to_fit();
     void attempt_to_shorten();
-    void attempt_to_upset();
+    void attempt_again();
     void set_off(Persistence persistence);
     void set_out(const std::vector<Stand>& stands);
+    bool set_out_shorter();
     void finish(Separator::State state);
     void succeed();
     void fail();
@@ -80,16 +81,13 @@ class Lane {
     Dice dice_;
     Aim aim_ = Aim::shorter;
     Arrangement best_;
-    // Under shorter and compress: what is being shortened. Under `shorter` it may be longer than the best,
-    // and once it gets no shorter it is upset.
-    Arrangement current_;
-    bool upsetting_ = false;
-    std::vector<int> rows_;  // of the attempt
+    bool exploring_ = false;  // under `shorter`: large steps have come to their end
+    std::vector<int> rows_;   // of the attempt
     Freedom freedom_;
     std::unique_ptr<Separator> separator_;
-    bool loose_ = false;  // the attempt has come to the table with room for rounding
-    std::vector<Failure> pool_;
-    double target_ = 0.0;  // length of the last sheet, steps
+    bool loose_ = false;         // the attempt has come to the table with room for rounding
+    std::vector<Failure> pool_;  // what was tried in vain, the least overlap first
+    double target_ = 0.0;        // length of the last sheet, steps
     double step_ = 0.0;
     double least_ = 0.0;           // no last sheet is shorter
     std::vector<int> known_rows_;  // what on_last_ is about
