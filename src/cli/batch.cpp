@@ -248,6 +248,10 @@ CLI::App* add_batch(CLI::App& app, Options& options) {
     value(*verb, "--results", "FILE", "where results are kept (default: beside the manifest)", "Jobs",
           [&batch](std::string_view text) {
               if (text.empty()) throw UsageError("--results takes the name of a file");
+              if (text == "-") {
+                  throw UsageError("--results takes a file, in which the next run finds what is done",
+                                   {"write ./- if that is its name"});
+              }
               batch.results = text;
           })
         ->configurable(false);
@@ -257,6 +261,7 @@ CLI::App* add_batch(CLI::App& app, Options& options) {
         ->group("Jobs");
     add_talk_options(*verb, options);
     add_thread_option(*verb, options);
+    add_print_config_option(*verb, options);
     verb->footer(
         "Examples:\n"
         "  popupc batch jobs.jsonl\n"

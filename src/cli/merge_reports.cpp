@@ -113,6 +113,7 @@ CLI::App* add_merge_reports(CLI::App& app, Options& options) {
         ->group("Output");
     add_manifest_format_option(*verb, options);
     add_talk_options(*verb, options);
+    add_print_config_option(*verb, options);
     verb->footer(
         "Examples:\n"
         "  popupc merge-reports jobs.jsonl -o report.json\n"

@@ -140,7 +140,8 @@ class Reader {
         const std::vector<std::string_view> names(known.begin(), known.end());
         const std::vector<std::string> meant = nearest(key.str(), names, 1);
         unknown.hint(meant.empty()
-                         ? std::string("keys are the long names of options: see \"popupc build --help\"")
+                         ? fmt::format("keys are the long names of options: see \"popupc {} --help\"",
+                                       table == nullptr ? "build" : table->get_name())
                          : fmt::format("did you mean \"{}\"?", meant.front()));
     }
 

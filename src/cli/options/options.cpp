@@ -315,7 +315,12 @@ void add_config_options(CLI::App& verb, Options& options) {
           })
         ->configurable(false)
         ->excludes(off);
-    verb.add_flag("--print-config", config.print, "print all settings and where they come from; do nothing")
+    add_print_config_option(verb, options);
+}
+
+void add_print_config_option(CLI::App& verb, Options& options) {
+    verb.add_flag("--print-config", options.config.print,
+                  "print all settings and where they come from; do nothing")
         ->configurable(false)
         ->group("Configuration");
 }

@@ -294,6 +294,9 @@ void add_motion_options(CLI::App& verb, Options& options);
 void add_animation_options(CLI::App& verb, Options& options);
 void add_thread_option(CLI::App& verb, Options& options);
 void add_config_options(CLI::App& verb, Options& options);
+// Alone where --config and --no-config would not say whose settings they mean: a batch's, or those of its
+// builds.
+void add_print_config_option(CLI::App& verb, Options& options);
 // Where a changed document goes: --diff, --in-place or -o, of which one may be given. `in_place` tells of the
 // second.
 void add_document_output_options(CLI::App& verb, FixOptions& output, const std::string& in_place);

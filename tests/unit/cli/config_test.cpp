@@ -251,9 +251,11 @@ TEST_F(Config, IsWhatTheSchemaSays) {
         std::string verb;
         words >> verb;
         if (!line.starts_with("  ") || !has(popupc({verb, "--help"}).out, "--print-config")) continue;
-        Json& table =
-            tables[verb] = {{"type", "object"}, {"additionalProperties", false}, {"properties", {}}};
-        std::istringstream offered(popupc({verb, "--no-config", "--print-config"}).out);
+        Json& table = tables[verb] = {
+            {"type", "object"}, {"additionalProperties", false}, {"properties", Json::object()}};
+        RunOptions bare = options;
+        bare.environment["POPUPC_NO_CONFIG"] = "1";
+        std::istringstream offered(test::popupc({verb, "--print-config"}, bare).out);
         for (std::string one; std::getline(offered, one);) {
             const std::size_t equals = one.find(" = ");
             const std::size_t about = one.find("  # ");
@@ -274,6 +276,8 @@ TEST_F(Config, IsWhatTheSchemaSays) {
         }
     }
     EXPECT_GE(tables.size(), 3U);
+    for (const char* verb : {"build", "batch", "merge-reports"})
+        EXPECT_TRUE(tables.contains(verb) && tables[verb]["properties"].contains("quiet")) << verb;
     for (const auto& [verb, table] : tables.items()) top[verb] = table;
     const Json schema{{"$schema", "https://json-schema.org/draft/2020-12/schema"},
                       {"title", "Settings of popupc, as a popupc.toml"},
@@ -297,6 +301,8 @@ TEST_F(Config, MistakesAreToldWithTheirPlaces) {
     expect("\n[chek]\nwerror = true\n", {"designs/popupc.toml:2:", "\"chek\"", "did you mean \"check\"?"});
     expect("[check]\nkerf = 0.1\n",
            {":2:1: error: there is no option \"kerf\" of check", "hint: it is an option of build"});
+    expect("[batch]\nkerv = 1\n",
+           {":2:1: error: there is no option \"kerv\" of batch", "see \"popupc batch --help\""});
     expect("[fix]\ndeny = 'collision'\n", {":2:1:", "of fix", "hint: it is an option of build, check"});
     expect("output = 'x.svg'\n", {":1:1: error: \"output\" belongs to one run and cannot be configured",
                                   "hint: give --output on the command line"});

@@ -40,6 +40,14 @@ TEST_F(Mistakes, AKeyTwiceInARowOfAManifest) {
     told({"batch", "good.jsonl", "-j1"}, 0, "1 done; 1 tried");
 }
 
+TEST_F(Mistakes, ResultsInNoFile) {
+    write_file(scratch / "jobs.jsonl", R"({"input": "bird.xml", "output": "a.svg"})");
+    told({"batch", "jobs.jsonl", "--results", "-"}, 2, "hint: write ./- if that is its name");
+    EXPECT_FALSE(fs::exists(scratch / "-"));
+    told({"batch", "jobs.jsonl", "--results", "./-"}, 0, "1 done; 1 tried");
+    EXPECT_TRUE(fs::exists(scratch / "-"));
+}
+
 TEST_F(Mistakes, AnInputWithoutAName) {
     told({"check", ""}, 2, "an input has an empty name");
     told({"build", "", "-o", "a.svg"}, 2, "an input has an empty name");
