@@ -44,7 +44,8 @@ PixelMask mask_of(const ImagePixels& pixels, const MaskOptions& options);
 
 struct TraceOptions {
     double pixel_mm = 25.4 / 300.0;  // width and height of a pixel; more than 0
-    double simplify_mm = 0.1;     // how far the outline may stray for the sake of smoothness; at least 0.01
+    // How far the outline may stray for the sake of smoothness, beyond the steps of pixels; at least 0.01.
+    double simplify_mm = 0.1;
     double min_feature_mm = 1.0;  // shapes and holes with less area than a square of this side are dropped
     bool largest = false;         // of several shapes that with the most paper alone is kept
 };

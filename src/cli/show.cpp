@@ -44,6 +44,10 @@ CLI::App* add_show(CLI::App& app, Options& options) {
         ->configurable(false)
         ->type_name("");
     verb->add_option("ID", show.id, "one element alone, and what stands on it")
+        ->check([](const std::string& id) {
+            if (id.empty()) throw UsageError("the element to show has an empty name");
+            return std::string();
+        })
         ->configurable(false)
         ->type_name("");
     verb->add_flag("--all", show.all, "measures that go without saying, and colours, too")->group("Output");

@@ -170,6 +170,9 @@ bool move(Session& session, const Command& command) {
     const ElementInfo& info = Session::info_of(session.design.structures[*n]);
     std::optional<Followers> followers;
     if (command.has("follow")) followers.emplace(session, *n);
+    if (command.has("along") && command.has("to"))
+        return session.fail("bad-edit", "an element is moved along its fold by a way or to a place",
+                            "write --along 12 or --to 0");
     auto values = measures(session, *n);
     if (!values) return false;
     bool any = false;

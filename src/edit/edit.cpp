@@ -106,6 +106,10 @@ std::optional<Command> parse(Session& session, const EditLine& line) {
         }
         const std::size_t equals = std::min(word.find('='), word.size());
         const std::string name = word.substr(2, equals - 2);
+        if (made.has(name)) {
+            session.fail("bad-edit", fmt::format("--{} is given twice", shown(name)), "write " + usage);
+            return std::nullopt;
+        }
         const bool flag = std::find(row->flags.begin(), row->flags.end(), name) != row->flags.end();
         const bool known =
             any || std::find(row->options.begin(), row->options.end(), name) != row->options.end();

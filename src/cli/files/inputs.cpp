@@ -358,7 +358,9 @@ void check_is_document(const Source& source, const ReadOptions& read, std::strin
         fmt::format("{}: {}, and this {}", source.name, takes,
                     is_card ? "is a drawing of a card" : what_it_is(*language)),
         {language->drawn ? "popupc fix --as card DRAWING -o card.xml makes a document of a drawn card"
-                         : "if it makes a card, popupc build -o card.xml writes the document of that"});
+         : language->trail != nullptr
+             ? "if it makes a card, popupc build -o card.xml writes the document of that"
+             : "change it in the program that made it"});
 }
 
 }  // namespace popup::cli

@@ -172,7 +172,14 @@ class Reader {
             Contour contour;
             contour.area = enclosed(*outer, own + ".outer", true);
             const JsonValue* holes = one.member("holes");
+            const bool has_area = !contour.area.empty();
             if (holes != nullptr && !holes->null()) cut_holes(*holes, own + ".holes", contour);
+            if (has_area && contour.area.empty() && !given_up_) {
+                diagnostics_
+                    .warning("oa-contour-empty", place(holes->at),
+                             fmt::format("{} is left out: its holes leave nothing of it", own))
+                    .hint("make the holes smaller, or take it out");
+            }
             if (!contour.area.empty()) face.contours.push_back(std::move(contour));
         }
     }

@@ -11,8 +11,10 @@ constexpr std::array kOaCodes = std::to_array<CodeInfo>({
      "is cut off at the edge, as webOAcard does. What lies below the floor (Y above t) is cut off without a "
      "word, for faces are drawn through the floor on purpose."},
     {"oa-contour-empty", Severity::warning, "a contour of webOAcard that encloses nothing",
-     "The points of the contour make no area: there are fewer than three of them, or they lie in one line. "
-     "It is left out, for there is nothing to cut. Mostly a click too many has made it; take it out of the "
+     "The points of the contour make no area: there are fewer than three of them, or they lie in one line; "
+     "or "
+     "its holes leave nothing of it. It is left out, for there is nothing to cut. Mostly a click too many "
+     "has made it; take it out of the "
      "file, or draw it anew."},
     {"oa-depth", Severity::warning, "a face of webOAcard that cannot stand where it should",
      "The depth t of a face says how far from the back it stands when the card is open by 90 degrees. It is "
@@ -33,7 +35,7 @@ constexpr std::array kOaCodes = std::to_array<CodeInfo>({
      "close the card with. The designs of webOAcard are cut from one sheet, twice as high as the card: what "
      "stands on it must leave paper round it. Make the card larger or the faces smaller."},
     {"oa-snapped", Severity::warning, "a face of webOAcard that misses what it should stand on",
-     "The lower edge of the face ends less than half a millimetre above the floor or above a horizontal "
+     "The lower edge of the face ends half a millimetre or less above the floor or above a horizontal "
      "plate, which happens where a face was drawn with another grid or another card height. As it is drawn "
      "there would be a cut, a sliver of paper, and a plate that stands on nothing; so the edge was drawn "
      "down, and there is a fold. Correct its Y in the file to say so yourself."},

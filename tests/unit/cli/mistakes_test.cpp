@@ -52,6 +52,7 @@ TEST_F(Mistakes, AnInputWithoutAName) {
     told({"check", ""}, 2, "an input has an empty name");
     told({"build", "", "-o", "a.svg"}, 2, "an input has an empty name");
     told({"fix", ""}, 2, "an input has an empty name");
+    told({"show", "bird.xml", ""}, 2, "the element to show has an empty name");
 }
 
 TEST_F(Mistakes, TooManyAngles) {
