@@ -108,6 +108,10 @@ constexpr std::array kOutputCodes = std::to_array<CodeInfo>({
     {"too-many-tiles", Severity::error, "the sheets need more pages than a document may have",
      "A document has at most 10000 tiles, counting those on which nothing is drawn. Nobody glues so many "
      "pages together: check the units of the design and --scale, or choose a larger paper with --tile."},
+    {"view-beyond", Severity::remark, "a view at an opening that no card reaches",
+     "--at asks for a picture of the model at an opening beyond that to which anything in the run opens: a "
+     "page may have opens=\"90\", and --opens limits all. The picture shows it as far as it opens. Leave the "
+     "opening out of --at, or let the card open further."},
 });
 
 }  // namespace

@@ -133,10 +133,15 @@ void add_first(const RunPage& page, const OutputOptions& options, Book& book) {
     const Figures figures = figures_of(*page.layout);
     const GlueCount glue = glue_of(page.cards, *page.layout);
     book.first = line_words(options.profile, {figures.folds > 0, figures.has_inner_cuts});
-    if (glue.tabs > 0)
-        book.first.emplace_back(
-            "Fold every tab back, away from the printed side. A tab belongs on the grey target with "
-            "its number.");
+    if (glue.tabs > 0) {
+        const bool has_targets =
+            options.profile.draws(Operation::glue) || options.profile.draws(Operation::mark);
+        book.first.push_back(fmt::format(
+            "Fold every tab back, away from the printed side. {}",
+            has_targets
+                ? "A tab belongs on the target with its number."
+                : "These sheets mark no targets: a tab belongs where the pictures of the steps show it."));
+    }
     if (options.backs && glue.tabs + glue.areas > 0)
         book.first.emplace_back(
             "Targets and numbers are printed on the backs of the sheets, behind their places. Where "

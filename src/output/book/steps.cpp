@@ -336,7 +336,11 @@ class CardSteps {
         Step step;
         std::vector<std::string> names;
         for (const GluingStep& one : together) names.push_back(words_.piece(one.piece));
-        step.title = numbered("glue on " + listed(names, 3));
+        const std::vector<Bond> bonds = bonds_of(first);
+        const bool by_brad = std::all_of(bonds.begin(), bonds.end(),
+                                         [](const Bond& bond) { return bond.kind == Bond::Kind::rivet; });
+        step.title = numbered(by_brad ? fmt::format("fasten {} with a brad", listed(names, 3))
+                                      : "glue on " + listed(names, 3));
         step.lies = words_.lies(first, order_.card);
         const bool several = together.size() > 1;
         for (const GluingStep& one : together) {

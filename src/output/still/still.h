@@ -24,7 +24,8 @@ namespace popup {
 //
 // The same bytes on every machine, with the same versions of libpng, zlib and FreeType. Errors:
 // `picture-too-large` (more than 100 million pixels), `picture-failed`, `locks` where a linkage cannot reach
-// an opening. Cost: a triangulation of the plates, then by picture its pixels, and plates times the rows that
+// an opening. Remark: `view-beyond`, of openings that no card reaches; they are shown as far as one does.
+// Cost: a triangulation of the plates, then by picture its pixels, and plates times the rows that
 // they cover. Memory: 3 bytes a pixel, and 6 MB.
 std::optional<std::vector<SheetFile>> write_view_png(std::span<const SceneCard> cards,
                                                      const OutputOptions& options, Diagnostics& diagnostics);

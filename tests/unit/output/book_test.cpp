@@ -257,7 +257,7 @@ TEST(Book, TellsOfBacksRivetsAndWhatIsInTheWay) {
     EXPECT_EQ(step_named(book, "Step 4: glue on 16. leaf-15, 17. leaf-16, 24. leaf-23 and 25. leaf-24")
                   .notes.front(),
               "Other pieces cover a part of area 16 already: glue over them.");
-    const book::Step& disc = step_named(book, "Step 8: glue on season");
+    const book::Step& disc = step_named(book, "Step 8: fasten season with a brad");
     EXPECT_EQ(disc.lies, "Turn the card over: it lies open, its back up.");
     EXPECT_EQ(
         disc.actions,
