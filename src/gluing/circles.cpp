@@ -137,7 +137,8 @@ class Mover {
         int gain = 0;
         int most = 0;
         const auto furthest = std::min<std::ptrdiff_t>(end - begin, kFurthest);
-        for (const int other : std::vector<int>(begin + 1, begin + furthest)) {
+        for (Place place = begin + 1; place != begin + furthest; ++place) {
+            const int other = *place;
             const bool follows = std::any_of(along.begin(), along.end(), [&](int one) {
                 const auto [first, then] = turned(one, other);
                 return nth(blocks_, first).contains(then);

@@ -145,8 +145,8 @@ void Lane::attempt_to_fit() {
     set_off(kLong);
 }
 
-// Sets out with the last sheet as long as the target. Where something does not fit then, it may in another
-// turn or another's place. False if it does not.
+// Sets out with the last sheet as long as the target. What does not fit there may do so in another turn, or
+// in another's place: while exploring that is tried. False if it fits nowhere.
 bool Lane::set_out_shorter() {
     for (int i = 0; i < (exploring_ ? kTries : 1); ++i) {
         set_out(best_.stands);

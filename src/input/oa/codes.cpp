@@ -11,11 +11,9 @@ constexpr std::array kOaCodes = std::to_array<CodeInfo>({
      "is cut off at the edge, as webOAcard does. What lies below the floor (Y above t) is cut off without a "
      "word, for faces are drawn through the floor on purpose."},
     {"oa-contour-empty", Severity::warning, "a contour of webOAcard that encloses nothing",
-     "The points of the contour make no area: there are fewer than three of them, or they lie in one line; "
-     "or "
-     "its holes leave nothing of it. It is left out, for there is nothing to cut. Mostly a click too many "
-     "has made it; take it out of the "
-     "file, or draw it anew."},
+     "The points of the contour make no area: there are fewer than three of them, or they lie in one line. "
+     "Or its holes leave nothing of it. It is left out, for there is nothing to cut. Mostly a click too many "
+     "has made it: take it out of the file, or draw it anew."},
     {"oa-depth", Severity::warning, "a face of webOAcard that cannot stand where it should",
      "The depth t of a face says how far from the back it stands when the card is open by 90 degrees. It is "
      "more than 0, for at 0 it would be the back itself, and no more than the height of the card, for there "
