@@ -129,16 +129,14 @@ void add_figure_options(CLI::App& verb, TraceVerbOptions& trace) {
     verb.add_flag("--largest", trace.trace.largest,
                   "of several shapes the largest alone: a single silhouette")
         ->group("Figure");
-    value(
-        verb, "--min-feature", "LENGTH",
-        "drop specks, and fill holes, smaller than a square of this side; tell where parts hang together by "
-        "less (default 1mm)",
-        "Figure", [&trace](std::string_view text) {
-            trace.trace.min_feature_mm = size_option("--min-feature", text, 0.0);
-        });
+    value(verb, "--min-feature", "LENGTH",
+          "drop specks, and fill holes, smaller than a square of this side; tell of thinner necks (default "
+          "1mm)",
+          "Figure", [&trace](std::string_view text) {
+              trace.trace.min_feature_mm = size_option("--min-feature", text, 0.0);
+          });
     value(verb, "--simplify", "LENGTH",
-          "how far outlines may stray, where smoothing the steps of pixels is not enough: 0.01mm or more "
-          "(default 0.1mm)",
+          "how far smoothing may move outlines beyond the steps of pixels: 0.01mm or more (default 0.1mm)",
           "Figure", [&trace](std::string_view text) {
               trace.trace.simplify_mm = size_option("--simplify", text, 0.01);
           });

@@ -109,9 +109,10 @@ constexpr std::array kOutputCodes = std::to_array<CodeInfo>({
      "A document has at most 10000 tiles, counting those on which nothing is drawn. Nobody glues so many "
      "pages together: check the units of the design and --scale, or choose a larger paper with --tile."},
     {"view-beyond", Severity::remark, "a view at an opening that no card reaches",
-     "--at asks for a picture of the model at an opening beyond that to which anything in the run opens: a "
-     "page may have opens=\"90\", and --opens limits all. The picture shows it as far as it opens. Leave the "
-     "opening out of --at, or let the card open further."},
+     "--at asks for a picture at an opening that no card of the run reaches: a page may have opens=\"90\", "
+     "and "
+     "--opens limits all. The picture shows the cards as far as they open. Leave the opening out of --at, or "
+     "let them open further."},
 });
 
 }  // namespace
