@@ -80,6 +80,10 @@ class Distances {
     std::vector<Stretch> lowest_;
 };
 
+// Along a tip that narrows slowly, steps of pixels make it wider and narrower by less than this, in cells of
+// depth.
+constexpr double kDeeper = 1.5;
+
 // A strip of n cells is (n + 1) / 2 cells deep, rounded down.
 double width_at(std::int64_t square) { return 2.0 * std::sqrt(static_cast<double>(square)) - 0.5; }
 
@@ -89,7 +93,9 @@ class Joining {
         : cells_(cells), distances_(cells), sets_(cells.inside.size()), peaks_(cells.inside.size()) {
         // No cell is deeper than half the grid.
         const double deepest = 0.5 * std::min(cells.width, cells.height) + 1.0;
-        const double depth = std::clamp(0.5 * (least + 0.5), 1.0, deepest);
+        // Strips of an even number of cells are as wide as twice their depth, others a cell less: a picture tells
+        // no more than that.
+        const double depth = std::clamp(0.5 * least, 1.0, deepest);
         wide_ = static_cast<std::int64_t>(std::ceil(depth * depth));
     }
 
@@ -141,13 +147,17 @@ class Joining {
             if (a == b) continue;
             const std::int64_t of_a = distances_[peaks_[a]];
             const std::int64_t of_b = distances_[peaks_[b]];
-            if (distances_[cell] < wide_ && of_a >= wide_ && of_b >= wide_)
-                found_.necks.push_back(place(cell));
+            if (is_neck(distances_[cell], std::min(of_a, of_b))) found_.necks.push_back(place(cell));
             const std::uint32_t peak =
                 of_a > of_b || (of_a == of_b && peaks_[a] < peaks_[b]) ? peaks_[a] : peaks_[b];
             sets_.join(a, b);
             peaks_[std::min(a, b)] = peak;
         }
+    }
+    // Between two parts of which the narrower one has this peak.
+    [[nodiscard]] bool is_neck(std::int64_t here, std::int64_t peak) const {
+        if (here >= wide_ || peak < wide_) return false;
+        return std::sqrt(static_cast<double>(peak)) >= std::sqrt(static_cast<double>(here)) + kDeeper;
     }
     // Whether the cell beside was put in before: wide ones by where they are, then the others by depth.
     [[nodiscard]] bool is_in(std::size_t beside, std::size_t cell) const {

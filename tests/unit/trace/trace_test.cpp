@@ -9,6 +9,7 @@
 #include <boost/geometry/geometries/point_xy.hpp>
 #include <boost/geometry/geometries/polygon.hpp>
 #include <cmath>
+#include <functional>
 #include <string>
 
 #include "support/random.h"
@@ -380,6 +381,39 @@ TEST(Trace, TellsOfThinPaper) {
     EXPECT_EQ(messages(mask, options).size(), 2U);
     options.min_feature_mm = 0.3;
     EXPECT_TRUE(messages(mask, options).empty());
+}
+
+PixelMask filled(int width, int height, const std::function<bool(double, double)>& inside) {
+    PixelMask mask;
+    mask.width = width;
+    mask.height = height;
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x) mask.inside.push_back(inside(x + 0.5, y + 0.5) ? 1 : 0);
+    }
+    return mask;
+}
+
+// Steps of pixels make tips wider and narrower on their way, and a bar is a pixel wider or narrower than it
+// was drawn.
+TEST(Trace, TakesNoTipForANeck) {
+    TraceOptions options;
+    options.pixel_mm = 0.1;
+    options.min_feature_mm = 1.0;
+    for (int i = 0; i < 20; ++i) {
+        const double lean = 0.021 * i;
+        const PixelMask tip = filled(300, 460, [&](double x, double y) {
+            return y > 10.0 && std::abs(x - 60.0 - lean * y) < std::max(2.0, 25.0 * (1.0 - (y - 10.0) / 440.0)) &&
+                   y < 450.0;
+        });
+        EXPECT_EQ(messages(tip, options), std::vector<std::string>{}) << lean;
+    }
+    for (const int wide : {10, 12}) {
+        const PixelMask bar = filled(200, 100, [&](double x, double y) {
+            return y > 10.0 && y < 90.0 && x > 10.0 && x < 190.0 &&
+                   (x < 60.0 || x > 140.0 || (y > 50.0 && y < 50.0 + wide));
+        });
+        EXPECT_EQ(messages(bar, options), std::vector<std::string>{}) << wide;
+    }
 }
 
 ImagePixels grey(int width, const std::vector<int>& values, int alpha = 255) {
