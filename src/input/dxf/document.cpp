@@ -59,7 +59,7 @@ class DocumentReader {
         if (!groups_.trouble().empty()) return misplaced({});
         if (!there_) {
             diagnostics_
-                .warning("dxf-no-end", {groups_.line() - 1, 1},
+                .warning("dxf-no-end", {last_line(), 1},
                          "the file ends without 0 and EOF, so something may be missing")
                 .hint("export it anew, or copy it again");
         }
@@ -73,11 +73,17 @@ class DocumentReader {
         return there_ && ahead_.code == code && ahead_.value == value;
     }
     [[nodiscard]] bool is_end() const { return is(0, "EOF"); }
+    // Where nothing is left: what holds a byte order mark and nothing else has a line, too.
+    [[nodiscard]] int last_line() const { return std::max(1, groups_.line() - 1); }
 
     std::nullopt_t misplaced(const std::string& what) {
         const bool broken = !groups_.trouble().empty();
         diagnostics_
-            .error("dxf-syntax", {broken || !there_ ? groups_.line() - (broken ? 0 : 1) : ahead_.line, 1},
+            .error("dxf-syntax",
+                   {broken   ? groups_.line()
+                    : there_ ? ahead_.line
+                             : last_line(),
+                    1},
                    broken   ? groups_.trouble()
                    : there_ ? fmt::format("{}, and not {} and \"{}\"", what, ahead_.code, shown(ahead_.value))
                             : what)
