@@ -210,7 +210,8 @@ bool place(const Assembly& assembly, Angle theta, std::span<Frame> frames, int* 
 bool open_to(Assembly& assembly, Angle opening, Diagnostics& diagnostics);
 
 // Puts the folds of a folded sheet in an order, where all of them at once would take plates through one
-// another: as of a box, whose walls stand before its flaps are closed.
+// another, and those of a box with a lid or a bottom always: its walls stand, and are glued, before its flaps
+// are closed.
 //
 //     std::optional<Assembly> box = fold_sheet(pattern, {}, diagnostics);
 //     if (box) order_folds(*box, {}, diagnostics);
@@ -219,10 +220,10 @@ bool open_to(Assembly& assembly, Angle opening, Diagnostics& diagnostics);
 // at once do. A flap that is tucked in turns beyond its angle first, and back while its lid closes. Each of n
 // steps takes an nth of the sweep, so that what stands at 0° and at 180° stays as it is. Plates that cross in
 // the end cross in any order, and are left to simulate(), as is what could not be put in one. Remark:
-// `folds-in-order`. Nothing is done where all may go at once, where panels bend, for other than folded
-// sheets, and where there are more than 64 parts that could go on their own. Returns true if the folds were
-// put in an order. `at_once` is what examine() found when all folds go at once; if it is null, that is
-// examined here. Cost: that of some examinations a part.
+// `folds-in-order`. Nothing is done where all may go at once and close no box, where panels bend, for other
+// than folded sheets, and where there are more than 64 parts that could go on their own. Returns true if the
+// folds were put in an order. `at_once` is what examine() found when all folds go at once; if it is null,
+// that is examined here. Cost: that of some examinations a part.
 bool order_folds(Assembly& assembly, const MotionOptions& options, Diagnostics& diagnostics,
                  const Examination* at_once = nullptr);
 
@@ -295,8 +296,8 @@ std::vector<FreePlates> free_plates(const Assembly& assembly);
 std::optional<Motion> simulate(const Assembly& assembly, const MotionOptions& options,
                                Diagnostics& diagnostics);
 
-// The same of a folded sheet, whose folds are put in an order where they cannot all go at once, as
-// order_folds() says. Cost: where they can, that of simulate().
+// The same of a folded sheet, whose folds are put in an order as order_folds() says. Cost: where none is
+// needed, that of simulate().
 std::optional<Motion> simulate_sheet(Assembly& assembly, const MotionOptions& options,
                                      Diagnostics& diagnostics);
 

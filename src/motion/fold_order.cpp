@@ -43,7 +43,6 @@ constexpr std::size_t kMostPosesAPart = 30'000;
 constexpr std::size_t kToldAtMost = 6;  // plates of a step
 // How far a lid rises while the flap on it stays upright, degrees.
 constexpr std::array kUprightDeg{10.0, 15.0, 20.0, 30.0, 45.0, 60.0, 75.0};
-constexpr double kStandingDeg = 1.0;   // a sweep of what stands still
 constexpr double kParallelRad = 1e-6;  // folds this near to parallel are
 
 // What a part does while something is looked at, in shares of its way: 0 where it lies flat, 1 where it is
@@ -87,11 +86,17 @@ class Order {
         shapes_ = plate_shapes(work_, options_);
     }
 
-    // The steps. Empty: all may go at once, or there is nothing to be put in an order, or no order was found.
+    // The steps. Empty: all may go at once and close no box, or there is nothing to be put in an order, or no
+    // order was found.
     std::vector<Step> run(const Examination* at_once) {
         if (parts_.size() < 2 || parts_.size() > kMostParts) return {};
+        for (const OrderedPart& part : parts_) of_box_.push_back(of_box(work_, part));
+        const bool has_lid =
+            std::any_of(of_box_.begin(), of_box_.end(), [](const OfBox& one) { return one.closes; });
         set_all(kMoves);
-        if (at_once != nullptr ? shows_clear(*at_once) : is_clear()) return {};
+        all_at_once_ = at_once != nullptr ? shows_clear(*at_once) : is_clear();
+        // No hand gets into a box that closes everywhere at a time.
+        if (all_at_once_ && !has_lid) return {};
         // What crosses in the end, as two flaps do that are drawn too long, crosses in any order.
         set_all(kFolded);
         set_laws();
@@ -103,10 +108,7 @@ class Order {
         if (!set_aside_.empty() && is_clear()) return {};
         set_all(kMoves);
         set_laws();
-        for (const OrderedPart& part : parts_) of_box_.push_back(of_box(work_, part));
         over_ = rolled_over_by(work_, parts_);
-        const bool has_lid =
-            std::any_of(of_box_.begin(), of_box_.end(), [](const OfBox& one) { return one.closes; });
         std::vector<Stage> stages = unfold(has_lid ? OpenFirst::lids : OpenFirst::small);
         // What is rolled up is unrolled from where it hangs.
         for (const OpenFirst first : {OpenFirst::small, OpenFirst::large}) {
@@ -115,6 +117,7 @@ class Order {
             std::vector<Stage> others = unfold(first);
             if (all_clear_) stages = std::move(others);
         }
+        if (all_at_once_ && !all_clear_) return {};
         std::reverse(stages.begin(), stages.end());
         join(stages);
         if (stages.size() < 2) return {};
@@ -155,6 +158,7 @@ class Order {
     [[nodiscard]] const std::vector<OrderedPart>& parts() const { return parts_; }
     // Whether nothing passes through anything in any step, but for what crosses in the end.
     [[nodiscard]] bool is_all_clear() const { return all_clear_; }
+    [[nodiscard]] bool could_go_at_once() const { return all_at_once_; }
     [[nodiscard]] const PlatePairs& crossing_in_the_end() const { return set_aside_; }
 
  private:
@@ -522,6 +526,7 @@ class Order {
     std::size_t poses_ = 0;
     OpenFirst first_ = OpenFirst::small;
     bool all_clear_ = true;
+    bool all_at_once_ = false;  // nothing passes through anything where all folds go at a time
 };
 
 std::string names_of(const Assembly& assembly, const Order& order, const Step& step) {
@@ -547,18 +552,6 @@ std::string names_of(const Assembly& assembly, const Order& order, const Step& s
 
 }  // namespace
 
-Examination examine_folded(Assembly assembly, const MotionOptions& options) {
-    for (Joint& joint : assembly.joints) {
-        Law* const law = law_of(joint);
-        if (law == nullptr) continue;
-        const double folded = law->front().y;
-        *law = {{0.0, folded}, {kFlatDeg, folded}};
-    }
-    // It is the same over the whole sweep.
-    assembly.sweep = {0.0, kStandingDeg, false};
-    return examine(assembly, options);
-}
-
 bool order_folds(Assembly& assembly, const MotionOptions& options, Diagnostics& diagnostics,
                  const Examination* at_once) {
     const bool goes_all_the_way =
@@ -578,9 +571,12 @@ bool order_folds(Assembly& assembly, const MotionOptions& options, Diagnostics& 
         }
         told += fmt::format("{}{}", i == 0 ? "" : "; then ", names_of(assembly, order, steps[i]));
     }
-    auto& remark = diagnostics.remark(
-        "folds-in-order", {},
-        fmt::format("its folds cannot all go at once: they go in {} steps, {}", steps.size(), told));
+    auto& remark =
+        diagnostics.remark("folds-in-order", {},
+                           fmt::format("{} in {} steps, {}",
+                                       order.could_go_at_once() ? "its folds go as a box is closed,"
+                                                                : "its folds cannot all go at once: they go",
+                                       steps.size(), told));
     if (!order.is_all_clear()) {
         remark.hint(
             "for the panels of the first step no order was found in which none passes through another");

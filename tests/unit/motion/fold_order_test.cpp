@@ -187,6 +187,42 @@ TEST(FoldOrder, LeavesWhatMayGoAtOnce) {
     for (const double deg : {0.0, 45.0, 120.0, 180.0}) expect_same_at(before, after, deg);
 }
 
+// Nothing would pass through anything, and yet nobody could reach the strip that is glued.
+TEST(FoldOrder, ClosesABoxAfterItsWallsStand) {
+    constexpr double kSide = 30.0, kHeight = 40.0;
+    CreasePattern pattern;
+    cut(pattern, {{0.0, 0.0}, {-10.0, 4.0}, {-10.0, kHeight - 4.0}, {0.0, kHeight}});
+    cut(pattern, {{6 * kSide, 0.0}, {6 * kSide, kHeight}});
+    for (int i = 0; i < 6; ++i) {
+        const double x = kSide * i;
+        pattern.lines.push_back({{{x, 0.0}, {x, kHeight}}, false, CreaseUse::valley, 60.0});
+        if (i != 2) cut(pattern, {{x, 0.0}, {x + kSide, 0.0}});
+        if (i != 2) cut(pattern, {{x, kHeight}, {x + kSide, kHeight}});
+    }
+    const double mid = 2.5 * kSide, wide = kSide, far = kSide * std::sqrt(3.0);
+    for (const double way : {-1.0, 1.0}) {
+        const double y = way > 0.0 ? kHeight : 0.0;
+        fold(pattern, {mid - 0.5 * kSide, y}, {mid + 0.5 * kSide, y});
+        cut(pattern, {{mid - 0.5 * kSide, y},
+                      {mid - wide, y + 0.5 * way * far},
+                      {mid - 0.5 * kSide, y + way * far},
+                      {mid + 0.5 * kSide, y + way * far},
+                      {mid + wide, y + 0.5 * way * far},
+                      {mid + 0.5 * kSide, y}});
+    }
+    const Assembly at_once = folded(pattern);
+    expect_clear(at_once);
+    Assembly box = at_once;
+    const std::string told = ordered(box);
+    EXPECT_NE(told.find("as a box is closed, in 3 steps"), std::string::npos) << told;
+    // The bottom is the largest panel and stays: the wall that it hangs on turns.
+    expect_before(box, "glue-flap", "wall-3");
+    expect_before(box, "wall-3", "top");
+    expect_same_at(at_once, box, 0.0);
+    expect_same_at(at_once, box, 180.0);
+    expect_clear(box);
+}
+
 // Two walls face each other, each with a flap that reaches through the other wall: in the end they cross,
 // whatever goes first.
 TEST(FoldOrder, LeavesWhatCrossesInTheEnd) {
