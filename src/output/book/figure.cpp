@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "base/geometry/regions.h"
@@ -93,6 +94,20 @@ void add_paper(const PatternPiece& piece, Figure& figure) {
     }
 }
 
+// How wide a text may be that has its middle there, and lies in the shape.
+double room_at(const Polygon& shape, Vec2 at) {
+    double room = std::numeric_limits<double>::infinity();
+    for (const auto& ring : rings_of(shape)) {
+        for (std::size_t i = 0; i < ring.size(); ++i) {
+            const Vec2 a = ring[i], b = ring[(i + 1) % ring.size()];
+            if ((a.y < at.y) == (b.y < at.y)) continue;
+            const double x = a.x + (at.y - a.y) / (b.y - a.y) * (b.x - a.x);
+            room = std::min(room, 2.0 * std::abs(x - at.x));
+        }
+    }
+    return std::isfinite(room) ? room : 0.0;
+}
+
 // Moves it to its own corner.
 void settle(const PatternPiece& piece, Figure& figure) {
     const Box box = piece.bounds;
@@ -120,7 +135,8 @@ Figure fold_figure(const PatternPiece& piece, const FoldedSheet& sheet) {
     for (const Contour& cut : piece.cuts) figure.shapes.push_back({{cut.points}, cut.closed, {}, Ink::edge});
     for (const auto& [name, outline] : sheet.panels) {
         const Vec2 middle = inner_point(outline, 0.5).at;
-        Figure::Label& label = figure.labels.emplace_back(Figure::Label{name, middle, {}, 0.0});
+        Figure::Label& label =
+            figure.labels.emplace_back(Figure::Label{name, middle, {}, room_at(outline, middle)});
         for (const double share : {0.35, 0.7}) {
             for (const Vec2 p : outline.outer) label.others.push_back(lerp(middle, p, share));
         }
