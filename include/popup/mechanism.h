@@ -208,14 +208,16 @@ std::optional<std::vector<double>> measures_of(const ElementInfo& info, const Pa
 // is: which way letters run, and by how much points stray from what the element's constraints would have.
 // What is drawn on its pages goes along, `changed` where that moves it; a path that must be there and is not,
 // is made. Measures that were measured and not changed give back the points, within 1e-9 mm. An element that
-// is still to be made has all its points at 0. nullopt: nothing has such measures.
+// is still to be made has all its points at 0. nullopt: nothing has such measures. `given`, if it is not
+// empty, tells by measure which are asked for: beside others that change, one that has its value already
+// keeps it, and is not changed along with them.
 struct Shaped {
     std::vector<Vec2> points;
     std::vector<Argument> arguments;
 };
 std::optional<Shaped> shaped(const ElementInfo& info, const PageFold& parent, int extra_page,
                              std::span<const Vec2> points, std::span<const Argument> arguments,
-                             std::span<const double> measures);
+                             std::span<const double> measures, const std::vector<bool>& given = {});
 // The number of a row's measure, its name spelt as people like; nullopt when it has none of that name.
 std::optional<std::size_t> find_measure(const ElementInfo& info, std::string_view name);
 

@@ -41,12 +41,13 @@ bool all_change(Session& session, const Structure& structure, const std::vector<
     return true;
 }
 
-bool give_measures(Session& session, std::size_t n, const std::vector<double>& values) {
+bool give_measures(Session& session, std::size_t n, const std::vector<double>& values,
+                   const std::vector<bool>& given = {}) {
     const Structure& structure = session.design.structures[n];
     const Standing standing = session.standing(n);
     const ElementInfo& info = Session::info_of(structure);
     const std::vector<Vec2> points = Session::points_of(structure, standing.seen);
-    auto made = shaped(info, standing.seen, 1, points, structure.arguments, values);
+    auto made = shaped(info, standing.seen, 1, points, structure.arguments, values, given);
     if (!made) {
         return session.fail("bad-edit", fmt::format("no {} has such measures", structure.type),
                             "give widths, lengths and angles above 0");
@@ -154,11 +155,13 @@ bool set(Session& session, const Command& command) {
         if (!measured) return false;
         all = std::move(*measured);
     }
+    std::vector<bool> given(all.size(), false);
     for (const auto& [name, text] : values) {
         bool of_shape = false;
         if (!session.set_value(*n, name, text, all, of_shape)) return false;
+        if (of_shape) given[*find_measure(info, name)] = true;
     }
-    if (any && !give_measures(session, *n, all)) return false;
+    if (any && !give_measures(session, *n, all, given)) return false;
     session.touch(*n);
     if (followers) followers->follow(session);
     return true;
@@ -188,7 +191,8 @@ bool move(Session& session, const Command& command) {
                 if (first_of(info, other.measures))
                     known += fmt::format("{}--{}", known.empty() ? "" : ", ", other.option);
             }
-            return session.fail("bad-edit", fmt::format("a {} is not moved by --{}", info.name, shift.option),
+            return session.fail("bad-edit",
+                                fmt::format("{} is not moved by --{}", one(info.name), shift.option),
                                 fmt::format("it is by {}", known));
         }
         const auto by = shift.turns ? session.angle("--turn", *text)

@@ -225,7 +225,8 @@ bool add(Session& session, const Command& command) {
     const bool by_hand = std::any_of(made.arguments.begin(), made.arguments.end(), is_drawn);
     const bool sound = !by_hand || take_from_drawing(*info, *seen, made, measured, measures);
     const auto drawn =
-        sound ? shaped(*info, *seen, 1, Session::points_of(made), made.arguments, measures) : std::nullopt;
+        sound ? shaped(*info, *seen, 1, Session::points_of(made), made.arguments, measures, measured)
+              : std::nullopt;
     if (!drawn) {
         return session.fail("bad-edit", fmt::format("no {} has such measures", info->name),
                             "give widths, lengths and angles above 0");

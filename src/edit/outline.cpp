@@ -117,7 +117,7 @@ bool outline(Session& session, const Command& command) {
     Structure& structure = session.design.structures[*n];
     const ElementInfo& info = Session::info_of(structure);
     const auto parameter = find_parameter(info, "outline");
-    if (!parameter) return session.fail("bad-edit", fmt::format("a {} has no outline", info.name));
+    if (!parameter) return session.fail("bad-edit", fmt::format("{} has no outline", one(info.name)));
     const std::string* data = command.find("d");
     const std::string* from = command.find("from");
     if ((data == nullptr) == (from == nullptr))

@@ -101,6 +101,9 @@ class Session {
     std::optional<Owners> owners_;
 };
 
+// A kind of element in a sentence: "a tent", "an attached-plane".
+std::string one(std::string_view kind);
+
 // Moves with a structure, that has been changed, everything that stands on it and gives its points on pages.
 //
 //     const Followers followers(session, n);  // before

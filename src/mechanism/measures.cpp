@@ -215,4 +215,14 @@ Scale scale_of(double width, double height, double new_width, double new_height)
     return {};
 }
 
+void ask_for(const std::vector<bool>& given, std::span<const double> was, std::span<double> wanted) {
+    POPUP_INVARIANT(given.size() == was.size() && was.size() == wanted.size());
+    const auto changes = [&](std::size_t i) { return given[i] && std::abs(wanted[i] - was[i]) > kUnmovedMm; };
+    bool any = false;
+    for (std::size_t i = 0; i < given.size(); ++i) any = any || changes(i);
+    for (std::size_t i = 0; any && i < given.size(); ++i) {
+        if (given[i] && !changes(i)) wanted[i] = was[i] + 2.0 * kUnmovedMm;
+    }
+}
+
 }  // namespace popup::measure

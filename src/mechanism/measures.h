@@ -120,6 +120,9 @@ struct Scale {
     double aside = 1.0, along = 1.0;
 };
 Scale scale_of(double width, double height, double new_width, double new_height);
+// Where one of the measures that are given changes, those of them that are as they were change as well, by
+// less than is written: each is asked for. Of so many measures each.
+void ask_for(const std::vector<bool>& given, std::span<const double> was, std::span<double> wanted);
 
 // The same for what is drawn on the fold's page: its box, seen from a spot, is given a place and a size, and
 // then it is turned about the middle of its corners.

@@ -4,6 +4,7 @@
 
 #include "mechanism/arguments.h"
 #include "mechanism/element.h"
+#include "mechanism/measures.h"
 
 namespace popup {
 namespace {
@@ -45,7 +46,7 @@ std::optional<std::vector<double>> measures_of(const ElementInfo& info, const Pa
 
 std::optional<Shaped> shaped(const ElementInfo& info, const PageFold& parent, int extra_page,
                              std::span<const Vec2> points, std::span<const Argument> arguments,
-                             std::span<const double> measures) {
+                             std::span<const double> measures, const std::vector<bool>& given) {
     POPUP_INVARIANT(measures.size() == info.measures.size());
     Element e = element_on(info, parent, extra_page, points, arguments);
     // A single point at 0 is that of an element which is there where something is drawn about it.
@@ -58,7 +59,11 @@ std::optional<Shaped> shaped(const ElementInfo& info, const PageFold& parent, in
     const auto before = fresh ? std::nullopt : sound_measures(e);
     std::optional<Element> off;
     if (before) off = strays(e, *before);
-    if (!info.measures.empty()) element_row(info).shape(e, measures);
+    std::vector<double> wanted(measures.begin(), measures.end());
+    if (!given.empty()) {
+        if (const auto was = sound_measures(e)) measure::ask_for(given, *was, wanted);
+    }
+    if (!info.measures.empty()) element_row(info).shape(e, wanted);
     if (off && finite(*off)) {
         for (std::size_t i = 0; i < e.on.size(); ++i) {
             e.on[i].s += off->on[i].s;
