@@ -34,10 +34,12 @@ std::vector<double> openings(const Sweep& sweep, int count) {
     return result;
 }
 
+double rests_of(double duration_s) { return std::min(1.5 * kRestOpenS, 0.5 * duration_s); }
+
 // There and back again, in `duration_s` with the rests.
 std::vector<Film::Frame> there_and_back(int count, double duration_s) {
     const int steps = 2 * (count - 1);
-    const double rests_s = std::min(1.5 * kRestOpenS, 0.5 * duration_s);
+    const double rests_s = rests_of(duration_s);
     std::vector<Film::Frame> frames;
     double end_s = 0.0;
     long shown_ms = 0;
@@ -99,7 +101,9 @@ std::optional<std::vector<SheetFile>> write(const Encoding& encoding, std::span<
         return std::nullopt;
     }
     const double fps = options.fps > 0.0 ? std::min(options.fps, encoding.most_fps) : kFps;
-    const double pictures = std::max<double>(kFewest, std::round(0.5 * fps * options.duration_s) + 1.0);
+    // Rounded down, or viewers would be given more than they show.
+    const double moves_s = options.duration_s - rests_of(options.duration_s);
+    const double pictures = std::max<double>(kFewest, std::floor(0.5 * fps * moves_s + 1e-9) + 1.0);
     const double pixels = pictures * size.width * size.height;
     if (pixels > kMostPixels) {
         diagnostics

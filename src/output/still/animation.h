@@ -11,8 +11,8 @@ namespace popup {
 
 // One file for each view. Cards stand as in stills (output/still/still.h), and the camera sees all of the
 // motion. The card opens and closes in options.duration_s seconds, slowly at both ends, and rests a moment
-// when it is open and when it is closed. Then it begins again. There are options.fps pictures a second, 15 if
-// that is 0.
+// when it is open and when it is closed. Then it begins again. While it moves there are options.fps pictures
+// a second, 15 if that is 0.
 //
 // WebP: lossy, quality 85, at most 100 pictures a second. GIF: 256 colours a picture, of which only what has
 // changed is written, at most 50 a second, for viewers slow down what is quicker. The same bytes with the
