@@ -99,6 +99,11 @@ constexpr std::array kOutputCodes = std::to_array<CodeInfo>({
      "colours do not go with it. Printed backs do not either: where pages are glued, the margin of one "
      "covers the back of the other. The message says which of these was asked for; leave it out, or leave "
      "out --tile."},
+    {"time-unknown", Severity::remark, "the report does not say how long the machine takes",
+     "The report of a build has a time when the profile or --speed says how fast everything goes that the "
+     "machine does: each kind of line that it follows, and the way between lines, which --speed calls "
+     "travel. "
+     "The message names what is missing."},
     {"too-few-joints", Severity::warning, "a piece would fall out of its sheet",
      "With --joints the outer cut of each piece is left uncut at two places or more, so that the piece stays "
      "in its sheet. A joint lies on a straight stretch, at least half a millimetre from corners and from "

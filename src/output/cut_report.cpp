@@ -1,7 +1,12 @@
 #include "output/cut_report.h"
 
+#include <fmt/format.h>
+
 #include <array>
 #include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "base/text/numbers.h"
 #include "output/sheet_drawing.h"
@@ -56,18 +61,40 @@ Work work_of(const SheetDrawing& drawing) {
     return work;
 }
 
-std::optional<double> time_of(const Work& work, const Profile& profile) {
-    if (work.travel_mm > 0.0 && profile.travel_mm_s <= 0.0) return std::nullopt;
-    double seconds = static_cast<double>(work.pierces()) * profile.pierce_s;
-    if (work.travel_mm > 0.0) seconds += work.travel_mm / profile.travel_mm_s;
+// How long each kind of line takes, with the speed that it needs: 0, it is not known.
+struct Stretch {
+    std::string_view what;  // as --speed names it
+    double length_mm = 0.0, speed_mm_s = 0.0;
+};
+std::vector<Stretch> stretches_of(const Work& work, const Profile& profile) {
+    std::vector<Stretch> all{{"travel", work.travel_mm, profile.travel_mm_s}};
     for (const Operation operation : kOperations) {
         const Work::Share& share = work.of.at(static_cast<std::size_t>(operation));
-        if (share.length_mm <= 0.0) continue;
-        const double speed = profile.pen(operation).speed_mm_s;
-        if (speed <= 0.0) return std::nullopt;
-        seconds += share.length_mm / speed;
+        all.push_back({to_string(operation), share.length_mm, profile.pen(operation).speed_mm_s});
+    }
+    std::erase_if(all, [](const Stretch& one) { return one.length_mm <= 0.0; });
+    return all;
+}
+
+std::optional<double> time_of(const Work& work, const Profile& profile) {
+    double seconds = static_cast<double>(work.pierces()) * profile.pierce_s;
+    for (const Stretch& one : stretches_of(work, profile)) {
+        if (one.speed_mm_s <= 0.0) return std::nullopt;
+        seconds += one.length_mm / one.speed_mm_s;
     }
     return seconds;
+}
+
+// Whoever gives some speeds wants to know a time.
+void tell_unknown_speeds(const Work& work, const Profile& profile, Diagnostics& diagnostics) {
+    std::vector<std::string> known, unknown;
+    for (const Stretch& one : stretches_of(work, profile))
+        (one.speed_mm_s > 0.0 ? known : unknown).emplace_back(one.what);
+    if (known.empty() || unknown.empty()) return;
+    diagnostics
+        .remark("time-unknown", {},
+                fmt::format("the report has no time: no speed is known for {}", fmt::join(unknown, ", ")))
+        .hint(fmt::format("give its speed, too, as in --speed {}=100", unknown.front()));
 }
 
 void describe(Json& row, const Work& work, const Profile& profile) {
@@ -106,6 +133,7 @@ std::optional<Json> cut_report(const Layout& layout, const OutputOptions& option
     }
     Json report{{"profile", options.profile.name}};
     describe(report, total, options.profile);
+    tell_unknown_speeds(total, options.profile, diagnostics);
     report["sheets"] = std::move(sheets);
     return report;
 }

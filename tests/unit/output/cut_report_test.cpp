@@ -277,6 +277,11 @@ TEST(CutReport, KnowsNoTimeWhereASpeedThatItNeedsIsMissing) {
     EXPECT_TRUE(report.at("time_s").is_null());
     EXPECT_TRUE(report.at("sheets")[0].at("time_s").is_null());
     EXPECT_FALSE(report.at("travel_mm").is_null());
+    pen_of(options.profile, Operation::inner_cut).speed_mm_s = 0.0;
+    Diagnostics diagnostics("report");
+    EXPECT_TRUE(cut_report(square_layout(), options, diagnostics));
+    EXPECT_EQ(test::findings(diagnostics),
+              "remark time-unknown: the report has no time: no speed is known for travel, inner-cut\n");
     // A pierce that takes no time is known.
     options = timed_options();
     options.profile.pierce_s = 0.0;
