@@ -320,12 +320,17 @@ bool Interpreter::keeps_definition(int symbol) {
 Value Interpreter::lookup_returned() { return lookup(state_->returned); }
 
 Value Interpreter::copied(const Value& value, Place place) {
+    State& s = *state_;
+    const ProgramLimits& limits = s.options.program.limits;
     if (value->type != Type::list) {
+        // A function of lists may copy one that has millions of elements, or put in as many, between two
+        // evaluations.
+        if (++s.copies % kCopiesPerStep == 0) spend(1);
+        if (heap.size() + s.nodes >= limits.values)
+            return fail_limit(place, "a list grows too long", "--max-values");
         std::uint64_t one = 1;
         return heap.copy(value, one);
     }
-    State& s = *state_;
-    const ProgramLimits& limits = s.options.program.limits;
     const std::uint64_t steps = limits.steps > s.steps ? limits.steps - s.steps : 0;
     const std::uint64_t held = heap.size() + s.nodes;
     const std::uint64_t budget = std::min(steps, limits.values > held ? limits.values - held : 0) + 1;

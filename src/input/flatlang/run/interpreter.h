@@ -123,7 +123,8 @@ class Interpreter {
     bool keeps_definition(int symbol);
     // The value of the last expression that was a statement, as a function returns it.
     Value lookup_returned();
-    // A copy as lists take elements in; its cells count as steps.
+    // A copy as lists take elements in. The cells of a list count as steps, of other values every eighth
+    // does.
     Value copied(const Value& value, Place place);
     void warn_unknown_function(int symbol, Place place);
     // The place in the program itself that a place in any of its texts comes down to.

@@ -53,7 +53,8 @@ struct Interpreter::State {
     std::vector<Value> objects;
 
     std::uint64_t steps = 0;
-    std::uint64_t nodes = 0;  // of loaded files and evaluated texts that are kept: they count as values
+    std::uint64_t copies = 0;  // of elements of lists, some of which are a step
+    std::uint64_t nodes = 0;   // of loaded files and evaluated texts that are kept: they count as values
     std::uint64_t turtle_looks = 0;  // that were counted as steps
     std::uint64_t nesting = 0;       // of evaluations in each other
     std::uint64_t calls = 0;
@@ -101,10 +102,11 @@ inline constexpr std::uint64_t kStepsPerLoad = 500;
 inline constexpr std::uint64_t kStepsPerLoadedByte = 1;
 inline constexpr std::uint64_t kStepsPerEval = 50;
 inline constexpr std::uint64_t kStepsPerEvaluatedByte = 4;
-// Bytes of a text that are compared or copied in one step, operations of the turtle that are looked at, and
-// members.
+// Bytes of a text that are compared or copied in one step, operations of the turtle that are looked at,
+// elements of lists that are copied, and members.
 inline constexpr std::uint64_t kBytesPerStep = 32;
 inline constexpr std::uint64_t kLooksPerStep = 4;
+inline constexpr std::uint64_t kCopiesPerStep = 8;
 inline constexpr std::uint64_t kMembersPerStep = 16;
 
 // Runs a block of `unit`, or evaluates an expression of it. Throws Stopped.

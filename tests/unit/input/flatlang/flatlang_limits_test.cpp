@@ -26,6 +26,7 @@ TEST(FlatLangLimits, LimitsEndProgramsWithAnErrorThatNamesTheOption) {
         {"repeat (infinity) done", "--max-steps"},
         {"define f() f() done f()", "--max-depth"},
         {"l = [1] while (true) l = append(l, l) done", "--max-values"},
+        {"l = [] repeat (900) l = cons(2, l) done subList(2, l, [2, 2])", "--max-values"},
         {"s = \"ab\" while (true) s = s + s done", "--max-text"},
         {"while (true) print(\"line\") done", "--max-text"},
         {"while (true) forward(1) done", "--max-trail"},
@@ -44,6 +45,11 @@ TEST(FlatLangLimits, LimitsEndProgramsWithAnErrorThatNamesTheOption) {
         EXPECT_LE(made.result.steps, options.program.limits.steps);
     }
     EXPECT_EQ(run("while (true) done").result.steps, 10'000'000U);
+}
+
+TEST(FlatLangLimits, CopiesOfElementsAreSteps) {
+    const std::string program = "l = [] repeat (800) l = cons(1, l) done repeat (100) rev(l) done";
+    EXPECT_GE(run(program).result.steps, 100U * 800U / 8U);
 }
 
 const std::uint64_t kSlower = popup::test::kSanitized ? 10 : 1;
