@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <set>
+#include <string>
+#include <string_view>
+#include <unordered_map>
 #include <utility>
 
 #include "input/flatlang/kit_table.h"
@@ -70,12 +73,21 @@ std::string comment_behind(std::string_view text, std::size_t end) {
     return about;
 }
 
-// "; gear(teeth), gear(teeth, pitch): a gear …", up to the end of that comment or its first empty line.
-std::string comment_elsewhere(std::string_view text, const std::string& name) {
-    const std::string begins = "\n; " + name + "(";
-    std::size_t at = text.starts_with(std::string_view(begins).substr(1)) ? 0 : text.find(begins);
-    if (at == std::string_view::npos) return {};
-    if (at > 0) ++at;
+// The first line of each name that begins with its call, "; gear(teeth), gear(teeth, pitch): a gear …".
+using CallLines = std::unordered_map<std::string_view, std::size_t>;
+CallLines call_lines(std::string_view text) {
+    CallLines lines;
+    for (std::size_t at = 0; at < text.size(); at = std::min(text.find('\n', at), text.size() - 1) + 1) {
+        const std::string_view line = line_at(text, at);
+        const std::size_t bracket = line.find('(');
+        if (!line.starts_with("; ") || bracket == std::string_view::npos) continue;
+        lines.emplace(line.substr(2, bracket - 2), at);
+    }
+    return lines;
+}
+
+// Up to the end of the comment or its first empty line.
+std::string comment_at(std::string_view text, std::size_t at) {
     std::string about;
     while (at < text.size()) {
         const std::string_view line = line_at(text, at);
@@ -110,7 +122,8 @@ class Reader {
                 variable(tokens[i]);
         }
         while (!open_.empty()) close(made_.text.size());
-        for (FunctionText& one : made_.functions) tell(one);
+        const CallLines calls = call_lines(made_.text);
+        for (FunctionText& one : made_.functions) tell(one, calls);
         return std::move(made_);
     }
 
@@ -150,10 +163,12 @@ class Reader {
             made_.variables.push_back({token.begin, token.end});
     }
 
-    void tell(FunctionText& one) const {
+    void tell(FunctionText& one, const CallLines& calls) const {
         one.about = comment_above(made_.text, one.all.begin);
         if (one.about.empty()) one.about = comment_behind(made_.text, one.all.end);
-        if (one.about.empty()) one.about = comment_elsewhere(made_.text, one.name);
+        const auto elsewhere = calls.find(one.name);
+        if (one.about.empty() && elsewhere != calls.end())
+            one.about = comment_at(made_.text, elsewhere->second);
     }
 
     ProgramText made_;
