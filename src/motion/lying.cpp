@@ -56,18 +56,28 @@ std::vector<Polygon> common_paper(const Assembly& assembly, int a, int b, std::s
 std::optional<LyingPair> shared(const Assembly& assembly, int a, int b, std::span<const Frame> frames,
                                 double least_mm2) {
     LyingPair found{a, b, 0.0, {}, {}};
+    const std::vector<Polygon> parts = common_paper(assembly, a, b, frames);
+    const Polygon* largest = nullptr;
     double most = 0.0;
-    for (const Polygon& part : common_paper(assembly, a, b, frames)) {
+    for (const Polygon& part : parts) {
         const double here = area(part);
         found.area_mm2 += here;
         if (here <= most) continue;
         most = here;
-        const Box box = bounds(part.outer);
-        found.size = {box.width(), box.height()};
-        found.point = inner_point(part, kInnerPointMm).at;
+        largest = &part;
     }
-    if (found.area_mm2 <= least_mm2) return std::nullopt;
+    if (largest == nullptr || found.area_mm2 <= least_mm2) return std::nullopt;
+    const Box box = bounds(largest->outer);
+    found.size = {box.width(), box.height()};
+    found.point = inner_point(*largest, kInnerPointMm).at;
     return found;
+}
+
+// Whether there is such a pair. A point within takes most of the time that shared() does.
+bool do_share(const Assembly& assembly, int a, int b, std::span<const Frame> frames, double least_mm2) {
+    double sum = 0.0;
+    for (const Polygon& part : common_paper(assembly, a, b, frames)) sum += area(part);
+    return sum > least_mm2;
 }
 
 // The pairs that share a plane at all openings that are looked at.
@@ -186,7 +196,7 @@ std::vector<std::pair<int, int>> lying_with(const Assembly& assembly, const Link
     auto pairs = lying_candidates(assembly, linkage, shapes, *frames,
                                   [&](int a, int b) { return is_moved(a) != is_moved(b); });
     std::erase_if(pairs, [&](const std::pair<int, int>& one) {
-        return !shared(assembly, one.first, one.second, *frames, kLeastMm2);
+        return !do_share(assembly, one.first, one.second, *frames, kLeastMm2);
     });
     std::sort(pairs.begin(), pairs.end());
     return pairs;
@@ -199,7 +209,7 @@ bool any_lies(const Assembly& assembly, std::span<const PlateShape> shapes,
     if (!frames) return true;
     const auto in_plane = in_plane_pairs(assembly, shapes, {pairs.begin(), pairs.end()}, *frames);
     return std::any_of(in_plane.begin(), in_plane.end(), [&](const std::pair<int, int>& one) {
-        return shared(assembly, one.first, one.second, *frames, kFreeMm2).has_value();
+        return do_share(assembly, one.first, one.second, *frames, kFreeMm2);
     });
 }
 
