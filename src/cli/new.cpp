@@ -36,8 +36,10 @@ void read_card_size(std::string_view text, NewVerbOptions& made) {
             return;
         }
     }
-    throw UsageError(fmt::format("--size takes the width and height of the open card, not \"{}\"", text),
-                     {"write 200x140mm or 8x6in"});
+    throw UsageError(
+        fmt::format("--size takes the width and height of the open card, from 10 mm to 5 m each, not \"{}\"",
+                    text),
+        {"write 200x140mm or 8x6in"});
 }
 
 std::vector<std::string> words(std::string_view text) {

@@ -48,8 +48,16 @@ class Reader {
                 if (const toml::table* table = node.as_table()) {
                     read_table(*table, *verb);
                 } else {
-                    wrong(node.source(), fmt::format("\"{}\" is a verb: its options stand in a table [{}]",
-                                                     key.str(), key.str()));
+                    std::string what = fmt::format("\"{}\" is a verb: its options stand in a table [{}]",
+                                                   key.str(), key.str());
+                    const std::string option = fmt::format("--{}", key.str());
+                    for (const CLI::App* other : app_.get_subcommands({})) {
+                        if (other->get_option_no_throw(option) == nullptr) continue;
+                        what += fmt::format(", and the option {} of {} in [{}]", option, other->get_name(),
+                                            other->get_name());
+                        break;
+                    }
+                    wrong(node.source(), what);
                 }
             } else {
                 read_top(key, node);

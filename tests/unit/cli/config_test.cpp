@@ -316,6 +316,9 @@ TEST_F(Config, MistakesAreToldWithTheirPlaces) {
            {":1:22: error: \"deny\" takes a list of strings, not true or false"});
     expect("deny = 1979-05-27\n", {":1:8: error: \"deny\" takes a list of strings, not a date or time"});
     expect("check = 3\n", {":1:9: error: \"check\" is a verb: its options stand in a table [check]"});
+    expect("view = 3\n",
+           {":1:8: error: \"view\" is a verb: its options stand in a table [view], and the option "
+            "--view of build in [build]"});
     expect("sheet.x = 3\n", {"\"sheet\" takes a string or a number, not a table"});
     expect("margin = -3\nsheet = 'a9'\n",
            {":1:10: error: --margin takes a length", ":2:9: error: --sheet takes auto"});

@@ -69,8 +69,9 @@ constexpr std::array kDrawnCardCodes = std::to_array<CodeInfo>({
      "once, "
      "with how many lines it took. Say with --lines what is meant where the guess is wrong."},
     {"may-be-card", Severity::remark, "a folded sheet that may be a pop-up card",
-     "Drawings whose layers say what is cut and what is folded are read as folded sheets, each fold of which "
-     "goes its own way. This one has a page, a fold through its middle and nothing but what pop-up cards "
+     "DXF drawings whose layers say what is cut and what is folded are read as folded sheets, each fold of "
+     "which goes its own way. This one has a page, a fold through its middle and nothing but what pop-up "
+     "cards "
      "are made of, so that it may be meant as one: then --as card reads it, and shows how it opens, what "
      "collides and what sticks out. --as folded says that it is a folded sheet."},
     {"no-gutter", Severity::error, "a drawn card without a fold in its middle",
