@@ -39,8 +39,9 @@ struct Cleaned {
 // Specks go first, then holes.
 Cleaned clean(CellGrid& cells, const Cleaning& how);
 
-// Where a shape is narrower than `least`, in cells, between parts that are not. The cell is one of the
-// neck's.
+// Where a shape is narrower than `least`, in cells, between parts that are not, and that are wider than the
+// neck by 3 cells or 0.3 `least`, whichever is less. From 10 cells on, one less than `least` is no neck. The
+// cell is one of the neck's.
 struct ThinPlace {
     int x = 0;
     int y = 0;

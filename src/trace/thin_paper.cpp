@@ -81,8 +81,11 @@ class Distances {
 };
 
 // Along a tip that narrows slowly, steps of pixels make it wider and narrower by less than this, in cells of
-// depth.
+// depth; where the least width is a few cells, a share of it is taken, so that necks are told there.
 constexpr double kDeeper = 1.5;
+constexpr double kDeeperShare = 0.15;
+// From so many cells on, a cell less than the least width is no matter.
+constexpr double kFineCells = 10.0;
 
 // A strip of n cells is (n + 1) / 2 cells deep, rounded down.
 double width_at(std::int64_t square) { return 2.0 * std::sqrt(static_cast<double>(square)) - 0.5; }
@@ -93,9 +96,10 @@ class Joining {
         : cells_(cells), distances_(cells), sets_(cells.inside.size()), peaks_(cells.inside.size()) {
         // No cell is deeper than half the grid.
         const double deepest = 0.5 * std::min(cells.width, cells.height) + 1.0;
-        // Strips of an even number of cells are as wide as twice their depth, others a cell less: a picture tells
-        // no more than that.
-        const double depth = std::clamp(0.5 * least, 1.0, deepest);
+        // Strips of an even number of cells are as wide as twice their depth, others a cell less.
+        const double unsure = least < kFineCells ? 0.5 : 0.0;
+        const double depth = std::clamp(0.5 * (least + unsure), 1.0, deepest);
+        deeper_ = std::min(kDeeper, kDeeperShare * least);
         wide_ = static_cast<std::int64_t>(std::ceil(depth * depth));
     }
 
@@ -157,7 +161,7 @@ class Joining {
     // Between two parts of which the narrower one has this peak.
     [[nodiscard]] bool is_neck(std::int64_t here, std::int64_t peak) const {
         if (here >= wide_ || peak < wide_) return false;
-        return std::sqrt(static_cast<double>(peak)) >= std::sqrt(static_cast<double>(here)) + kDeeper;
+        return std::sqrt(static_cast<double>(peak)) >= std::sqrt(static_cast<double>(here)) + deeper_;
     }
     // Whether the cell beside was put in before: wide ones by where they are, then the others by depth.
     [[nodiscard]] bool is_in(std::size_t beside, std::size_t cell) const {
@@ -171,6 +175,7 @@ class Joining {
     CellSets sets_;
     std::vector<std::uint32_t> peaks_;  // by the first cell of a set, its deepest cell
     std::int64_t wide_ = 1;             // squares from here on are wide
+    double deeper_ = kDeeper;           // by which parts are deeper than a neck between them
     ThinPaper found_;
 };
 

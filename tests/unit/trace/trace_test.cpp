@@ -402,7 +402,8 @@ TEST(Trace, TakesNoTipForANeck) {
     for (int i = 0; i < 20; ++i) {
         const double lean = 0.021 * i;
         const PixelMask tip = filled(300, 460, [&](double x, double y) {
-            return y > 10.0 && std::abs(x - 60.0 - lean * y) < std::max(2.0, 25.0 * (1.0 - (y - 10.0) / 440.0)) &&
+            return y > 10.0 &&
+                   std::abs(x - 60.0 - lean * y) < std::max(2.0, 25.0 * (1.0 - (y - 10.0) / 440.0)) &&
                    y < 450.0;
         });
         EXPECT_EQ(messages(tip, options), std::vector<std::string>{}) << lean;
@@ -413,6 +414,23 @@ TEST(Trace, TakesNoTipForANeck) {
                    (x < 60.0 || x > 140.0 || (y > 50.0 && y < 50.0 + wide));
         });
         EXPECT_EQ(messages(bar, options), std::vector<std::string>{}) << wide;
+    }
+}
+
+// Where a pixel is a large part of the least width, necks are told all the same.
+TEST(Trace, TellsOfNecksOfOnePixel) {
+    TraceOptions options;
+    options.min_feature_mm = 1.0;
+    for (const double pixel_mm : {0.5, 0.25}) {
+        options.pixel_mm = pixel_mm;
+        const int side = static_cast<int>(1.5 / pixel_mm);
+        const PixelMask mask = filled(2 * side + 6, side + 2, [&](double x, double y) {
+            const bool in_square = y > 1.0 && y < side + 1.0 &&
+                                   ((x > 1.0 && x < side + 1.0) || (x > side + 4.0 && x < 2.0 * side + 4.0));
+            return in_square || (y > 2.0 && y < 3.0 && x > 1.0 && x < side + 5.0);
+        });
+        const Traced result = traced(mask, options);
+        EXPECT_EQ(result.necks.size(), 1U) << pixel_mm;
     }
 }
 
