@@ -210,8 +210,8 @@ bool place(const Assembly& assembly, Angle theta, std::span<Frame> frames, int* 
 bool open_to(Assembly& assembly, Angle opening, Diagnostics& diagnostics);
 
 // Puts the folds of a folded sheet in an order, where all of them at once would take plates through one
-// another, and those of a box with a lid or a bottom always: its walls stand, and are glued, before its flaps
-// are closed.
+// another, and those of a box with a lid or a bottom always, if there is one: its walls stand, and are glued,
+// before its flaps are closed.
 //
 //     std::optional<Assembly> box = fold_sheet(pattern, {}, diagnostics);
 //     if (box) order_folds(*box, {}, diagnostics);
@@ -297,7 +297,7 @@ std::optional<Motion> simulate(const Assembly& assembly, const MotionOptions& op
                                Diagnostics& diagnostics);
 
 // The same of a folded sheet, whose folds are put in an order as order_folds() says. Cost: where none is
-// needed, that of simulate().
+// looked for, that of simulate().
 std::optional<Motion> simulate_sheet(Assembly& assembly, const MotionOptions& options,
                                      Diagnostics& diagnostics);
 

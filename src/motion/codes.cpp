@@ -47,7 +47,9 @@ constexpr std::array kMotionCodes = std::to_array<CodeInfo>({
      "or leave the horizon out."},
     {"folds-in-order", Severity::remark, "a folded sheet whose folds go one after another",
      "Turned all at once, the panels of this sheet would pass through one another, as the flaps of a box do "
-     "that close while its walls still lean. popupc looked for an order in which they do not, and found one; "
+     "that close while its walls still lean; or they are those of a box, and nobody could reach into one "
+     "that "
+     "closes everywhere at a time. popupc looked for an order in which they do not, and found one; "
      "the message says which panels move in each step, by the names that they have in the model. The motion "
      "shows the steps one after another, and each is certified to be free of collisions as any motion is. "
      "Of panels that lie on one another in the end the smaller is taken to be the inner one, and goes first. "

@@ -112,7 +112,7 @@ class Order {
         std::vector<Stage> stages = unfold(has_lid ? OpenFirst::lids : OpenFirst::small);
         // What is rolled up is unrolled from where it hangs.
         for (const OpenFirst first : {OpenFirst::small, OpenFirst::large}) {
-            if (all_clear_ || !has_work_left()) break;
+            if (all_clear_ || all_at_once_ || !has_work_left()) break;
             if (first == OpenFirst::small && !has_lid) continue;
             std::vector<Stage> others = unfold(first);
             if (all_clear_) stages = std::move(others);
