@@ -101,9 +101,10 @@ std::optional<std::vector<SheetFile>> write(const Encoding& encoding, std::span<
         return std::nullopt;
     }
     const double fps = options.fps > 0.0 ? std::min(options.fps, encoding.most_fps) : kFps;
-    // Rounded down, or viewers would be given more than they show.
-    const double moves_s = options.duration_s - rests_of(options.duration_s);
-    const double pictures = std::max<double>(kFewest, std::floor(0.5 * fps * moves_s + 1e-9) + 1.0);
+    const double there_s = 0.5 * (options.duration_s - rests_of(options.duration_s));
+    // Rounding gives viewers no more than they show.
+    const double steps = std::min(std::round(fps * there_s), std::floor(encoding.most_fps * there_s + 1e-9));
+    const double pictures = std::max<double>(kFewest, steps + 1.0);
     const double pixels = pictures * size.width * size.height;
     if (pixels > kMostPixels) {
         diagnostics

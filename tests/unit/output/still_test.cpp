@@ -331,7 +331,7 @@ std::string film(const SceneCard& card, std::string_view format, const OutputOpt
 OutputOptions short_film() {
     OutputOptions options;
     options.still.size = PictureSize{96, 72};
-    options.fps = 10.0;  // while it moves, which takes 1.1 s
+    options.fps = 9.0;  // while it moves, which takes 1.1 s
     options.duration_s = 2.0;
     return options;
 }
