@@ -78,6 +78,7 @@ using CallLines = std::unordered_map<std::string_view, std::size_t>;
 CallLines call_lines(std::string_view text) {
     CallLines lines;
     for (std::size_t at = 0; at < text.size(); at = std::min(text.find('\n', at), text.size() - 1) + 1) {
+        if (text[at] != ';') continue;
         const std::string_view line = line_at(text, at);
         const std::size_t bracket = line.find('(');
         if (!line.starts_with("; ") || bracket == std::string_view::npos) continue;

@@ -41,7 +41,7 @@ struct ProgramText {
 
 // Any bytes may come. `text` must outlive the result. A function's comment stands above it, behind it on its
 // line, or elsewhere in the file in a comment that begins with its call, such as "; gear(teeth): a gear".
-// Cost: linear.
+// Cost: linear, and the length of its comment a function.
 ProgramText program_text(std::string_view text);
 
 // A function that programs may call without defining it.
