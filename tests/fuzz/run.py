@@ -4,7 +4,8 @@
     run.py BUILD MINUTES [TARGET...]
 
 BUILD is the folder that was configured with POPUP_FUZZ. Each target gets its share of the minutes, as many at a time as
-there are cores. What a target keeps lies in BUILD/corpus/TARGET, and is where it goes on next time; what it found, made
+there are cores: three quarters for quick_TARGET, which does not watch memory, and the rest for fuzz_TARGET, which does,
+and begins with all that the other kept. What a target keeps lies in BUILD/corpus/TARGET, and is where it goes on next time; what it found, made
 as small as half a minute allows, in BUILD/finds/TARGET. How many inputs each has looked at, over all runs, is kept in
 BUILD/figures.json: with POPUP_FUZZ_UNTIL=10000000 in the environment, a target that has so many is done, and leaves its
 time to the others. A find that shows a fault becomes a file in tests/fuzz/finds/TARGET, where the ordinary tests look
@@ -29,13 +30,14 @@ SECONDS_A_UNIT = int(os.environ.get("POPUP_FUZZ_TIMEOUT", "30"))
 MEGABYTES = 2048
 # A target that has executed so many inputs, over all runs on a folder, is done; 0: never.
 UNTIL = int(os.environ.get("POPUP_FUZZ_UNTIL", "0"))
+QUICK = 0.75  # of the time
 
 
 class Target:
     def __init__(self, build, before, name, longest, seeds, dictionary):
         self.name, self.longest = name, int(longest)
         self.before = before.get(name, 0)  # executions of earlier runs
-        self.program = build / "tests" / "fuzz" / f"fuzz_{name}"
+        self.programs = build / "tests" / "fuzz"
         self.corpus = build / "corpus" / name
         self.finds = build / "finds" / name
         self.log = build / "logs" / f"{name}.log"
@@ -48,7 +50,7 @@ class Target:
         files = sorted({f for f in files if f.is_file() and f.stat().st_size <= self.longest and "," not in str(f)})
         self.seeds = build / "logs" / f"{name}.seeds"
         self.seeds.write_text(",".join(map(str, files)))
-        self.executions = self.edges = self.all_edges = self.seconds = 0
+        self.executions = self.watched = self.edges = self.all_edges = self.seconds = 0
         self.found = []  # what is wrong, once each
 
     def all_executions(self):
@@ -57,11 +59,11 @@ class Target:
     def is_done(self):
         return 0 < UNTIL <= self.all_executions()
 
-    def command(self, *options):
-        return [str(self.program), f"-timeout={SECONDS_A_UNIT}", f"-rss_limit_mb={MEGABYTES}", "-detect_leaks=0",
+    def command(self, kind, *options):
+        return [str(self.programs / f"{kind}_{self.name}"), f"-timeout={SECONDS_A_UNIT}", f"-rss_limit_mb={MEGABYTES}", "-detect_leaks=0",
                 f"-max_len={self.longest}", "-print_final_stats=1", "-print_funcs=0", *options]
 
-    def once(self, seconds):
+    def once(self, kind, seconds):
         """Runs until the time is over or something is found; what was found, or None."""
         before = set(self.finds.iterdir())
         # For each edge of an input libFuzzer goes through its list of rare edges. By default LLVM 14 keeps all edges
@@ -69,31 +71,35 @@ class Target:
         options = [f"-max_total_time={max(1, int(seconds))}", f"-artifact_prefix={self.finds}/",
                    "-entropic_feature_frequency_threshold=0"]
         if UNTIL:
-            options.append(f"-runs={UNTIL - self.all_executions()}")
+            # With none left to do, it looks at what the corpus holds.
+            options.append(f"-runs={max(0, UNTIL - self.all_executions())}")
         if self.dictionary:
             options.append(f"-dict={self.dictionary}")
         # What is worth keeping of them is in the corpus from then on.
         if self.seeds.stat().st_size and not any(self.corpus.iterdir()):
             options.append(f"-seed_inputs=@{self.seeds}")
         begun = time.monotonic()
-        said = run(self.command(*options, str(self.corpus)), seconds + 120)
+        said = run(self.command(kind, *options, str(self.corpus)), seconds + 120)
         self.seconds += time.monotonic() - begun
         with self.log.open("a") as log:
             log.write(said)
         executed = re.findall(r"stat::number_of_executed_units: (\d+)", said)
-        self.executions += int(executed[-1]) if executed else max([0, *map(int, re.findall(r"^#(\d+)\t", said, re.M))])
-        self.edges = max([self.edges, *map(int, re.findall(r"\bcov: (\d+)", said))])
-        loaded = re.search(r"\((\d+) inline 8-bit counters\)", said)
-        self.all_edges = int(loaded.group(1)) if loaded else self.all_edges
+        count = int(executed[-1]) if executed else max([0, *map(int, re.findall(r"^#(\d+)\t", said, re.M))])
+        self.executions += count
+        if kind == "fuzz":
+            self.watched += count
+            self.edges = max([self.edges, *map(int, re.findall(r"\bcov: (\d+)", said))])
+            loaded = re.search(r"\((\d+) inline 8-bit counters\)", said)
+            self.all_edges = int(loaded.group(1)) if loaded else self.all_edges
         new = [f for f in set(self.finds.iterdir()) - before if not f.name.startswith("slow-unit")]
         for slow in self.finds.glob("slow-unit*"):
             slow.unlink()
         return (new[0], signature(said)) if new else None
 
-    def small(self, find):
+    def small(self, kind, find):
         """The find, with as few bytes as half a minute allows."""
         smaller = find.with_name(find.name + "-small")
-        run(self.command("-minimize_crash=1", f"-max_total_time={SECONDS_A_FIND}", f"-exact_artifact_path={smaller}",
+        run(self.command(kind, "-minimize_crash=1", f"-max_total_time={SECONDS_A_FIND}", f"-exact_artifact_path={smaller}",
                          str(find)), 3 * SECONDS_A_FIND)
         if smaller.exists():
             if smaller.stat().st_size:
@@ -103,11 +109,19 @@ class Target:
 
     def fuzz(self, seconds):
         end = time.monotonic() + seconds
-        while (left := end - time.monotonic()) > 1 and len(self.found) < MOST_FINDS and not self.is_done():
-            find = self.once(left)
+        self.look("quick", end - (1 - QUICK) * seconds)
+        self.look("fuzz", end)
+        return self
+
+    def look(self, kind, end):
+        """Goes on until then, or until it found too much."""
+        while (left := end - time.monotonic()) > 1 and len(self.found) < MOST_FINDS:
+            find = self.once(kind, left)
             if not find:
                 break
             path, what = find
+            # What one program kept may break the other: it would, again and again, before it looks at anything else.
+            (self.corpus / path.name.partition("-")[2]).unlink(missing_ok=True)
             if what in self.found:
                 path.unlink()
                 # The same again and again: what lies behind it is reached when it is mended.
@@ -116,8 +130,7 @@ class Target:
                 continue
             self.found.append(what)
             if not path.name.startswith("timeout"):
-                self.small(path)
-        return self
+                self.small(kind, path)
 
 
 def run(words, seconds):
@@ -135,7 +148,7 @@ def run(words, seconds):
 
 def signature(said):
     """What tells one fault from another: what was expected, or where it went wrong."""
-    for pattern in (r"^BROKEN: (.*)", r"runtime error: .*", r"^SUMMARY: (.*)", r"Assertion .*"):
+    for pattern in (r"^BROKEN: (.*)", r"runtime error: .*", r"Assertion .*", r"^SUMMARY: (.*)"):
         if one := re.search(pattern, said, re.M):
             return re.sub(r"[-+]?\d[\d.e+-]*", "N", one.group(0))
     return "something"
@@ -171,11 +184,11 @@ def main():
             figures[target.name] = target.all_executions()
             figures_file.write_text(json.dumps(figures, indent=1, sort_keys=True) + "\n")
 
-    print(f"{'target':16}{'executions':>12}{'a second':>10}{'of all runs':>13}{'edges':>8}{'of':>8}{'corpus':>8}"
-          f"{'finds':>7}")
+    print(f"{'target':16}{'executions':>12}{'watched':>9}{'a second':>10}{'of all runs':>13}{'edges':>8}{'of':>8}"
+          f"{'corpus':>8}{'finds':>7}")
     for target in targets:
-        print(f"{target.name:16}{target.executions:12}{target.executions / max(target.seconds, 1):10.0f}"
-              f"{target.all_executions():13}{target.edges:8}{target.all_edges:8}"
+        print(f"{target.name:16}{target.executions:12}{target.watched:9}"
+              f"{target.executions / max(target.seconds, 1):10.0f}{target.all_executions():13}{target.edges:8}{target.all_edges:8}"
               f"{sum(1 for _ in target.corpus.iterdir()):8}{len(target.found):7}")
     idle = [target for target in targets if not target.executions and not target.found and not target.is_done()]
     for target in idle:
