@@ -192,7 +192,7 @@ bool move(Session& session, const Command& command) {
                     known += fmt::format("{}--{}", known.empty() ? "" : ", ", other.option);
             }
             return session.fail("bad-edit",
-                                fmt::format("{} is not moved by --{}", one(info.name), shift.option),
+                                fmt::format("{} is not moved by --{}", with_article(info.name), shift.option),
                                 fmt::format("it is by {}", known));
         }
         const auto by = shift.turns ? session.angle("--turn", *text)

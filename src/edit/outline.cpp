@@ -117,7 +117,8 @@ bool outline(Session& session, const Command& command) {
     Structure& structure = session.design.structures[*n];
     const ElementInfo& info = Session::info_of(structure);
     const auto parameter = find_parameter(info, "outline");
-    if (!parameter) return session.fail("bad-edit", fmt::format("{} has no outline", one(info.name)));
+    if (!parameter)
+        return session.fail("bad-edit", fmt::format("{} has no outline", with_article(info.name)));
     const std::string* data = command.find("d");
     const std::string* from = command.find("from");
     if ((data == nullptr) == (from == nullptr))

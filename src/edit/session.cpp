@@ -241,7 +241,8 @@ bool Session::set_parameter(Structure& structure, const ElementInfo& info, std::
     if (text == kNone &&
         std::find(parameter.words.begin(), parameter.words.end(), kNone) == parameter.words.end()) {
         if (parameter.required)
-            return fail("bad-edit", fmt::format("{} must have a {}", one(info.name), parameter.name));
+            return fail("bad-edit",
+                        fmt::format("{} must have a {}", with_article(info.name), parameter.name));
         argument.changed = argument.changed || argument.given();
         argument.value = std::monostate();
         return true;
@@ -354,12 +355,12 @@ bool Session::set_value(std::size_t n, std::string_view name, const std::string&
     for (const MeasureInfo& measure : info.measures) names.push_back(measure.name);
     for (const ParameterInfo& parameter : info.parameters) names.push_back(parameter.name);
     const std::vector<std::string> near = nearest(plain, names, 1);
-    return fail("bad-edit", fmt::format("{} has no {}", one(info.name), shown(std::string(name))),
+    return fail("bad-edit", fmt::format("{} has no {}", with_article(info.name), shown(std::string(name))),
                 near.empty() ? fmt::format("it has {}", fmt::join(names, ", "))
                              : fmt::format("perhaps {} is meant", near.front()));
 }
 
-std::string one(std::string_view kind) {
+std::string with_article(std::string_view kind) {
     constexpr std::string_view kVowels = "aeio";
     return fmt::format("{} {}", kVowels.find(kind.front()) != std::string_view::npos ? "an" : "a", kind);
 }

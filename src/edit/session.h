@@ -102,7 +102,7 @@ class Session {
 };
 
 // A kind of element in a sentence: "a tent", "an attached-plane".
-std::string one(std::string_view kind);
+std::string with_article(std::string_view kind);
 
 // Moves with a structure, that has been changed, everything that stands on it and gives its points on pages.
 //

@@ -4,12 +4,12 @@
     run.py BUILD MINUTES [TARGET...]
 
 BUILD is the folder that was configured with POPUP_FUZZ. Each target gets its share of the minutes, as many at a time as
-there are cores: three quarters for quick_TARGET, which does not watch memory, and the rest for fuzz_TARGET, which does,
-and begins with all that the other kept. What a target keeps lies in BUILD/corpus/TARGET, and is where it goes on next time; what it found, made
-as small as half a minute allows, in BUILD/finds/TARGET. How many inputs each has looked at, over all runs, is kept in
-BUILD/figures.json: with POPUP_FUZZ_UNTIL=10000000 in the environment, a target that has so many is done, and leaves its
-time to the others. A find that shows a fault becomes a file in tests/fuzz/finds/TARGET, where the ordinary tests look
-at it. Exits with 1 where there are finds, or a target did not run.
+there are cores: quick_TARGET, which does not watch memory, has three quarters of it; fuzz_TARGET, which does, has the
+rest, and begins with all that the other kept. What a target keeps lies in BUILD/corpus/TARGET, and is where it goes on
+next time; what it found, made as small as half a minute allows, in BUILD/finds/TARGET. How many inputs each has looked
+at, over all runs, is kept in BUILD/figures.json: with POPUP_FUZZ_UNTIL=10000000 in the environment, a target that has so
+many is done, and leaves its time to the others. A find that shows a fault becomes a file in tests/fuzz/finds/TARGET,
+where the ordinary tests look at it. Exits with 1 where there are finds, or a target did not run.
 """
 import concurrent.futures
 import json
@@ -60,8 +60,8 @@ class Target:
         return 0 < UNTIL <= self.all_executions()
 
     def command(self, kind, *options):
-        return [str(self.programs / f"{kind}_{self.name}"), f"-timeout={SECONDS_A_UNIT}", f"-rss_limit_mb={MEGABYTES}", "-detect_leaks=0",
-                f"-max_len={self.longest}", "-print_final_stats=1", "-print_funcs=0", *options]
+        return [str(self.programs / f"{kind}_{self.name}"), f"-timeout={SECONDS_A_UNIT}", f"-rss_limit_mb={MEGABYTES}",
+                "-detect_leaks=0", f"-max_len={self.longest}", "-print_final_stats=1", "-print_funcs=0", *options]
 
     def once(self, kind, seconds):
         """Runs until the time is over or something is found; what was found, or None."""
@@ -99,8 +99,8 @@ class Target:
     def small(self, kind, find):
         """The find, with as few bytes as half a minute allows."""
         smaller = find.with_name(find.name + "-small")
-        run(self.command(kind, "-minimize_crash=1", f"-max_total_time={SECONDS_A_FIND}", f"-exact_artifact_path={smaller}",
-                         str(find)), 3 * SECONDS_A_FIND)
+        run(self.command(kind, "-minimize_crash=1", f"-max_total_time={SECONDS_A_FIND}",
+                         f"-exact_artifact_path={smaller}", str(find)), 3 * SECONDS_A_FIND)
         if smaller.exists():
             if smaller.stat().st_size:
                 smaller.replace(find)
@@ -188,8 +188,8 @@ def main():
           f"{'corpus':>8}{'finds':>7}")
     for target in targets:
         print(f"{target.name:16}{target.executions:12}{target.watched:9}"
-              f"{target.executions / max(target.seconds, 1):10.0f}{target.all_executions():13}{target.edges:8}{target.all_edges:8}"
-              f"{sum(1 for _ in target.corpus.iterdir()):8}{len(target.found):7}")
+              f"{target.executions / max(target.seconds, 1):10.0f}{target.all_executions():13}"
+              f"{target.edges:8}{target.all_edges:8}{sum(1 for _ in target.corpus.iterdir()):8}{len(target.found):7}")
     idle = [target for target in targets if not target.executions and not target.found and not target.is_done()]
     for target in idle:
         print(f"{target.name} did not run; the end of {target.log}:")
