@@ -77,6 +77,7 @@ class Coarsener {
             }
             sizes_.push_back(ring.size());
         }
+        left_ = corners_.size();
         double perimeter = 0.0;
         for (const Corner& corner : corners_) perimeter += std::sqrt(square_of(at(corner.next) - corner.at));
         GridBox box;
@@ -92,19 +93,20 @@ class Coarsener {
         for (int i = 0; i < static_cast<int>(corners_.size()); ++i) {
             if (!corners_[index(i)].gone) look_at(i);
         }
-        double budget = how_.most_added;
+        double added = 0.0;
         while (!queue_.empty()) {
             const Offer offer = queue_.top();
             queue_.pop();
             Corner& corner = corners_[index(offer.corner)];
             if (corner.gone || offer.version != corner.version) continue;
-            if (offer.added > budget) break;
+            const double most = left_ > how_.many ? how_.most_added_of_many : how_.most_added;
+            if (added + offer.added > most) break;
             const Step now = best_at(offer.corner);
             if (!now.possible || now.added > offer.added) {
                 set_step(offer.corner, now);
                 continue;
             }
-            budget -= now.added;
+            added += now.added;
             apply(now, offer.corner);
         }
         write();
@@ -216,6 +218,7 @@ class Coarsener {
         corners_[index(corner.before)].next = corner.next;
         corners_[index(corner.next)].before = corner.before;
         --sizes_[index(corner.ring)];
+        --left_;
     }
 
     void apply(const Step& step, int i) {
@@ -308,6 +311,7 @@ class Coarsener {
     const Coarsening& how_;
     std::vector<Corner> corners_;
     std::vector<std::size_t> sizes_;  // of rings
+    std::size_t left_ = 0;            // corners that are not gone
     std::optional<CornerGrid> grid_;
     std::priority_queue<Offer> queue_;
 };
@@ -323,104 +327,6 @@ GridRegion coarser(const GridRegion& region, const Coarsening& how) {
         if (rings[i].size() >= 3) result.holes.push_back(std::move(rings[i]));
     }
     return result;
-}
-
-namespace {
-
-// Edges by the level strips they reach into.
-class Strips {
- public:
-    explicit Strips(const GridRegion& region) {
-        add(region.outer);
-        for (const GridRing& hole : region.holes) add(hole);
-        for (const auto& [a, b] : edges_) {
-            low_ = std::min({low_, a.y, b.y});
-            high_ = std::max({high_, a.y, b.y});
-        }
-        strips_.resize(std::min<std::size_t>(edges_.size() + 1, 4096));
-        for (int e = 0; e < static_cast<int>(edges_.size()); ++e) {
-            const auto& [a, b] = edges_[index(e)];
-            for (std::size_t s = strip(std::min(a.y, b.y)); s <= strip(std::max(a.y, b.y)); ++s)
-                strips_[s].push_back(e);
-        }
-    }
-
-    // 1: in the region, 0: on an edge of it, -1: outside.
-    [[nodiscard]] int where(GridPoint p) const {
-        int winding = 0;
-        for (const int e : strips_[strip(p.y)]) {
-            const auto& [a, b] = edges_[index(e)];
-            const int s = side_of(a, b, p);
-            if (s == 0 && between(a, p, b)) return 0;
-            if (a.y <= p.y && b.y > p.y && s > 0) ++winding;
-            if (b.y <= p.y && a.y > p.y && s < 0) --winding;
-        }
-        return winding > 0 ? 1 : -1;
-    }
-
-    // Whether the edge lies in the region. Coordinates are doubled, so that its middle is a point too.
-    [[nodiscard]] bool hold(GridPoint p, GridPoint q) const {
-        for (std::size_t s = strip(std::min(p.y, q.y)); s <= strip(std::max(p.y, q.y)); ++s) {
-            for (const int e : strips_[s]) {
-                const auto& [a, b] = edges_[index(e)];
-                const int at_a = side_of(p, q, a);
-                const int at_b = side_of(p, q, b);
-                const int at_p = side_of(a, b, p);
-                const int at_q = side_of(a, b, q);
-                if (at_a * at_b < 0 && at_p * at_q < 0) return false;
-                // A corner in the middle of the edge.
-                if (at_a == 0 && a != p && a != q && between(p, a, q)) return false;
-            }
-        }
-        return where({(p.x + q.x) / 2, (p.y + q.y) / 2}) >= 0;
-    }
-
- private:
-    static bool between(GridPoint a, GridPoint p, GridPoint b) {
-        return std::min(a.x, b.x) <= p.x && p.x <= std::max(a.x, b.x) && std::min(a.y, b.y) <= p.y &&
-               p.y <= std::max(a.y, b.y);
-    }
-    void add(const GridRing& ring) {
-        for (std::size_t i = 0; i < ring.size(); ++i) {
-            const GridPoint a = ring[i];
-            const GridPoint b = ring[(i + 1) % ring.size()];
-            edges_.emplace_back(a + a, b + b);
-        }
-    }
-    [[nodiscard]] std::size_t strip(GridLength y) const {
-        const auto inside = std::clamp(y, low_, high_);
-        const auto all = static_cast<double>(strips_.size());
-        const double part = static_cast<double>(inside - low_) / static_cast<double>(high_ - low_ + 1);
-        return std::min(strips_.size() - 1, static_cast<std::size_t>(part * all));
-    }
-
-    std::vector<std::pair<GridPoint, GridPoint>> edges_;
-    GridLength low_ = INT64_MAX;
-    GridLength high_ = INT64_MIN;
-    std::vector<std::vector<int>> strips_;
-};
-
-}  // namespace
-
-bool is_inside(const GridRegion& region, const GridRegion& other) {
-    const Strips strips(other);
-    const auto holds = [&](const GridRing& ring) {
-        for (std::size_t i = 0; i < ring.size(); ++i) {
-            const GridPoint p = ring[i];
-            const GridPoint q = ring[(i + 1) % ring.size()];
-            if (!strips.hold(p + p, q + q)) return false;
-        }
-        return true;
-    };
-    if (!holds(region.outer) || !std::all_of(region.holes.begin(), region.holes.end(), holds)) return false;
-    // No edge crosses another, so a hole of the other is wholly inside the region or not at all.
-    if (other.holes.empty()) return true;
-    const Strips own(region);
-    return std::none_of(other.holes.begin(), other.holes.end(), [&](const GridRing& hole) {
-        const auto off =
-            std::find_if(hole.begin(), hole.end(), [&](GridPoint p) { return own.where(p + p) != 0; });
-        return off != hole.end() && own.where(*off + *off) > 0;
-    });
 }
 
 }  // namespace popup

@@ -1,6 +1,9 @@
 // Regions with fewer corners, which only grow.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+
 #include "nest/convex_parts.h"
 
 namespace popup {
@@ -14,16 +17,14 @@ struct Coarsening {
     bool encloses = false;
     // Bays whose mouth is no wider, in steps, are filled at first, whatever they gain.
     double narrow = 0.0;
+    // While more corners than `many` are left, this area may be gained; it is no less than `most_added`.
+    double most_added_of_many = 0.0;
+    std::size_t many = SIZE_MAX;
 };
 
 // The region with corners taken away so that it only grows: notches filled, and short edges replaced by the
-// corner in which their neighbours meet, the least area first, until `most_added` would be exceeded. What
-// grows may grow over itself, but with `encloses`. Cost: n log n in corners, where they are not crowded.
+// corner in which their neighbours meet, the least area first, until what may be gained would be exceeded.
+// What grows may grow over itself, but with `encloses`. Cost: n log n in corners, where they are not crowded.
 GridRegion coarser(const GridRegion& region, const Coarsening& how);
-
-// Whether the region is inside the other, edges allowed, by integers alone. A no may be wrong where a corner
-// of the other lies on an edge of it. Cost: corners of the one, times corners of the other that are level
-// with each.
-bool is_inside(const GridRegion& region, const GridRegion& other);
 
 }  // namespace popup

@@ -166,9 +166,7 @@ class Joiner {
 std::vector<GridRing> convex_parts(const GridRegion& region) {
     Polygon polygon{in_mm(region.outer), {}};
     for (const GridRing& hole : region.holes) polygon.holes.push_back(in_mm(hole));
-    // Cutting a polygon first would put corners beside its edges, by rounding.
-    constexpr std::size_t kUncut = 4000;
-    const Triangulation triangulation = triangulate(polygon, kUncut);
+    const Triangulation triangulation = triangulate(polygon, kMostUncutCorners);
     std::vector<GridRing> parts;
     parts.reserve(triangulation.triangles.size());
     for (const auto& triangle : triangulation.triangles) {

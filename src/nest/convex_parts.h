@@ -1,6 +1,7 @@
 // Regions as convex parts: two regions overlap exactly where a part of one overlaps a part of the other.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "nest/grid.h"
@@ -11,7 +12,11 @@ namespace popup {
 struct GridRegion {
     GridRing outer;
     std::vector<GridRing> holes;
+    friend bool operator==(const GridRegion&, const GridRegion&) = default;
 };
+
+// Parts of a region of more corners have corners beside its edges, by rounding: it is cut first.
+inline constexpr std::size_t kMostUncutCorners = 4000;
 
 // Convex rings, counter-clockwise, without corners in the middle of an edge, that cover the region and do not
 // overlap: triangles joined along the longest edges first, as long as the union stays convex. Empty when the

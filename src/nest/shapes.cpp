@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "base/geometry/regions.h"
 #include "nest/coarser.h"
+#include "nest/inside.h"
 #include "nest/partition.h"
 
 namespace popup {
@@ -21,9 +23,11 @@ constexpr std::size_t kMostParts = 400;
 constexpr double kMostGain = 1e-3;
 constexpr double kFurthest = 2e-3;
 // An outline of more corners is enclosed by one of few, for all that follows. What that may gain, of the
-// above.
+// above, and what it may gain while more corners are left than can be proved: spirals and combs have much
+// edge for their area.
 constexpr std::size_t kManyCorners = 2000;
 constexpr double kEnclosingShare = 0.25;
+constexpr double kShareOfMany = 4.0;
 // Steps by which an outline is widened of which nothing could be proved.
 constexpr GridLength kWidening = 4;
 
@@ -137,9 +141,12 @@ std::optional<GridRegion> enclosing(const std::vector<GridRegion>& outline, doub
     double twice = twice_area(fine.outer);
     for (const GridRing& hole : fine.holes) twice += twice_area(hole);
     Coarsening how;
-    how.most_added = kEnclosingShare * 0.5 * kMostGain * twice;
+    const double gain = 0.5 * kMostGain * twice;
+    how.most_added = kEnclosingShare * gain;
     how.furthest = kFurthest * size;
     how.encloses = true;
+    how.most_added_of_many = kShareOfMany * gain;
+    how.many = kMostUncutCorners;
     how.narrow = std::max(how.furthest, std::min(spacing, std::sqrt(8.0 * spacing * how.furthest)));
     GridRegion coarse = coarser(fine, how);
     if (!is_inside(fine, coarse)) return std::nullopt;
@@ -210,6 +217,59 @@ std::vector<GridRegion> without_useless_holes(std::vector<GridRegion> outline,
     return outline;
 }
 
+// What stands for an outline of very many corners in the search.
+struct Enclosure {
+    std::vector<GridRegion> outline;
+    GridRegion region;
+    GridRegion useful;            // the region without useless holes
+    std::vector<GridRing> parts;  // that make up the region
+    std::vector<GridRing> rough;  // that cover `useful`, and are few
+};
+
+std::optional<Enclosure> enclosure_of(const std::vector<GridRegion>& outline, double size, double spacing,
+                                      const std::vector<TurnedShape>& all) {
+    const auto region = enclosing(outline, size, spacing);
+    auto parts = region ? partition({*region}) : std::nullopt;
+    if (!parts) return std::nullopt;
+    const std::vector<GridRegion> useful = without_useless_holes({*region}, all);
+    Enclosure made{outline, *region, useful[0], std::move(*parts), {}};
+    rough_parts(useful, size, made.rough);
+    return made;
+}
+
+// Turned a quarter, counter-clockwise.
+GridRing quarter(GridRing ring) {
+    for (GridPoint& p : ring) p = {-p.y, p.x};
+    return ring;
+}
+
+std::vector<GridRing> quarter(std::vector<GridRing> rings) {
+    for (GridRing& ring : rings) ring = quarter(std::move(ring));
+    return rings;
+}
+
+GridRegion quarter(GridRegion region) {
+    return {quarter(std::move(region.outer)), quarter(std::move(region.holes))};
+}
+
+// The enclosure turned by quarters until it is one of the outline; nullopt when none is, or other holes are
+// useless to what has been turned. It costs far less than to make one.
+std::optional<Enclosure> turned_to(Enclosure made, const std::vector<GridRegion>& outline,
+                                   const std::vector<TurnedShape>& all) {
+    for (int turns = 0; turns < 4; ++turns) {
+        if (made.outline == outline) {
+            if (without_useless_holes({made.region}, all) != std::vector{made.useful}) return std::nullopt;
+            return made;
+        }
+        for (GridRegion& region : made.outline) region = quarter(std::move(region));
+        made.region = quarter(std::move(made.region));
+        made.useful = quarter(std::move(made.useful));
+        made.parts = quarter(std::move(made.parts));
+        made.rough = quarter(std::move(made.rough));
+    }
+    return std::nullopt;
+}
+
 }  // namespace
 
 ShapeSet make_shapes(const NestJob& job) {
@@ -232,15 +292,19 @@ ShapeSet make_shapes(const NestJob& job) {
             set.shapes.push_back(std::move(shape));
         }
     }
+    std::optional<Enclosure> last;  // of an earlier turn of the kind: most are by quarters
+    int last_kind = -1;
     for (TurnedShape& shape : set.shapes) {
         const double size = static_cast<double>(std::max(shape.bounds.width(), shape.bounds.height()));
         const std::vector<GridRegion> solid = job.use_holes ? shape.outline : without_holes(shape.outline);
-        const auto coarse = enclosing(solid, size, static_cast<double>(spacing));
-        auto parts = coarse ? partition({*coarse}) : std::nullopt;
-        if (parts) {
-            shape.exact = std::move(*parts);
-            rough_parts(without_useless_holes({*coarse}, set.shapes), size, shape.parts);
+        if (shape.kind != std::exchange(last_kind, shape.kind)) last.reset();
+        auto enclosure = last ? turned_to(*last, solid, set.shapes) : std::nullopt;
+        if (!enclosure) enclosure = enclosure_of(solid, size, static_cast<double>(spacing), set.shapes);
+        if (enclosure) {
+            shape.exact = enclosure->parts;
+            shape.parts = enclosure->rough;
             set.exact = false;
+            last = std::move(enclosure);
         } else if (const auto proved = provable(shape, job.use_holes, shape.exact)) {
             if (!rough_parts(without_useless_holes(*proved, set.shapes), size, shape.parts))
                 set.exact = false;

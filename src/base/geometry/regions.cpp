@@ -203,6 +203,19 @@ std::optional<Paths> enclosed_by_simple(const Paths& paths) {
     return made;
 }
 
+// A ring without holes, or with holes that touch neither it nor one another: what the clipper makes of a ring
+// less the holes. nullopt where they are not so. It spares the clipper, whose cost grows with the square of the
+// lowest points of a ring.
+std::optional<Paths> with_holes_apart(const Paths& ring, const Paths& holes) {
+    if (ring.empty()) return std::nullopt;
+    Paths all = ring;
+    all.insert(all.end(), holes.begin(), holes.end());
+    auto made = enclosed_by_simple(all);
+    if (!made || made->size() != all.size() || !ClipperLib::Orientation(made->front())) return std::nullopt;
+    if (std::any_of(made->begin() + 1, made->end(), ClipperLib::Orientation)) return std::nullopt;
+    return made;
+}
+
 // The paths of a boolean. The library calls nothing-to-do a failure; that is sorted out first.
 Paths run(ClipperLib::ClipType type, const std::vector<Polygon>& a, const std::vector<Polygon>& b) {
     // Nothing is common to both outside the box of either: a small region in a large one costs little.
@@ -211,6 +224,11 @@ Paths run(ClipperLib::ClipType type, const std::vector<Polygon>& a, const std::v
     const Box box_of_b = common ? box_round(b) : Box();
     const Paths of_a = to_paths(a, common ? &box_of_b : nullptr);
     const Paths of_b = to_paths(b, common ? &box_of_a : nullptr);
+    if (type == ClipperLib::ctDifference || (type == ClipperLib::ctUnion && b.empty())) {
+        if (a.size() == 1) {
+            if (auto apart = with_holes_apart(of_a, of_b)) return std::move(*apart);
+        }
+    }
     ClipperLib::Clipper clipper;
     const bool any_a = clipper.AddPaths(of_a, ClipperLib::ptSubject, true);
     const bool any_b = clipper.AddPaths(of_b, ClipperLib::ptClip, true);
@@ -244,7 +262,8 @@ std::vector<Polygon> filled(const std::vector<Ring>& rings, FillRule rule) {
         path.reserve(ring.size());
         for (const Vec2 p : ring) path.push_back(to_int(p));
     }
-    if (rule == FillRule::even_odd) {
+    // Of one ring that does not cross itself both rules make the same.
+    if (rule == FillRule::even_odd || rings.size() == 1) {
         if (auto simple = enclosed_by_simple(paths)) return to_polygons(std::move(*simple));
     }
     ClipperLib::Clipper clipper;
