@@ -41,6 +41,11 @@ constexpr std::array kFoldCodes = std::to_array<CodeInfo>({
      "of "
      "B, C, M, V, U, F and J, and an angle in degrees. The message names the value that does not fit. A file "
      "that was edited by hand often has one entry too many or too few."},
+    {"fold-version", Severity::remark, "a FOLD file of a version that popupc does not know",
+     "The member file_spec of a FOLD file says which version of the format it keeps to. popupc knows 1, 1.1 "
+     "and 1.2, and reads all files as the last of these: a list that a later version calls by another name, "
+     "or "
+     "in which numbers mean something else, is passed over or misread. Look at the sheet before you cut it."},
 });
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "base/nth.h"
 #include "base/text/json_tree.h"
 #include "base/text/place_at.h"
+#include "base/text/shown.h"
 #include "input/fold/carry.h"
 #include "input/text.h"
 
@@ -55,6 +56,7 @@ class Reader {
             wrong(root, "the file", "an object with \"vertices_coords\" and \"edges_vertices\"");
             return std::nullopt;
         }
+        tell_version(root);
         if (!list_frames(root) || !choose_frame() || !read_corners() || !read_edges()) return std::nullopt;
         read_uses();
         if (!sound_) return std::nullopt;
@@ -71,6 +73,23 @@ class Reader {
         sound_ = false;
         diagnostics_.error("fold-value", place(json.at), fmt::format("{} must be {}", path, wanted));
         return false;
+    }
+
+    // Some programs write the version as a text.
+    void tell_version(const JsonValue& root) {
+        const JsonValue* version = root.member("file_spec");
+        if (version == nullptr || version->null()) return;
+        const std::string* text = version->text();
+        const double* number = version->number();
+        const std::string said = number != nullptr ? fmt::format("{:g}", *number)
+                                 : text != nullptr ? *text
+                                                   : "";
+        if (said == "1" || said == "1.1" || said == "1.2") return;
+        diagnostics_
+            .remark("fold-version", place(version->at),
+                    fmt::format("its file_spec \"{}\" is none of 1, 1.1 and 1.2; it was read as FOLD 1.2",
+                                shown(said)))
+            .hint("what other versions say in another way is not seen: export it as one of these");
     }
 
     // --- frames
@@ -368,10 +387,14 @@ class Reader {
         if (mm == 0.0) {
             mm = longer > 0.0 ? kSheetMm / longer : 1.0;
             out_.ruler.unit = "";
+            const std::string* other = unit == nullptr ? nullptr : unit->text();
+            const std::string why =
+                other == nullptr || other->empty() || *other == "unit"
+                    ? std::string("the pattern has no unit")
+                    : fmt::format("its frame_unit \"{}\" is none that FOLD has", shown(*other));
             diagnostics_
-                .remark(
-                    "fold-size", {},
-                    fmt::format("the pattern has no unit: its longer side was made {:g} mm long", kSheetMm))
+                .remark("fold-size", {},
+                        fmt::format("{}: its longer side was made {:g} mm long", why, kSheetMm))
                 .hint("say \"frame_unit\": \"mm\" in the file");
         }
         out_.ruler.origin = {};

@@ -12,6 +12,7 @@ namespace {
 struct Read {
     std::optional<CreasePattern> pattern;
     std::string told;
+    int line = 0;  // of the first finding
 };
 
 Read read(const std::string& text, const ReadOptions& options = {}) {
@@ -19,6 +20,7 @@ Read read(const std::string& text, const ReadOptions& options = {}) {
     Read result;
     result.pattern = fold::read(Source{"sheet.fold", text}, options, diagnostics);
     result.told = test::findings(diagnostics);
+    if (const auto all = diagnostics.sorted(); !all.empty()) result.line = all.front().place.line;
     return result;
 }
 
@@ -39,6 +41,27 @@ TEST(FoldRead, TakesUnitsAndMakesOthersLargeEnough) {
     ASSERT_TRUE(without.pattern);
     EXPECT_NEAR(without.pattern->lines[0].points[1].x, fold::kSheetMm, 1e-9);
     EXPECT_NE(without.told.find("fold-size"), std::string::npos);
+}
+
+TEST(FoldRead, TellsOfUnitsAndVersionsThatFoldHasNot) {
+    const std::string triangle =
+        R"("vertices_coords": [[0, 0], [2, 0], [2, 1]], "edges_vertices": [[0, 1], [1, 2], [2, 0]])";
+    const Read inches = read("{" + triangle + R"(, "frame_unit": "inches"})");
+    ASSERT_TRUE(inches.pattern);
+    EXPECT_NE(inches.told.find(R"(its frame_unit "inches" is none that FOLD has)"), std::string::npos)
+        << inches.told;
+    for (const char* known : {"1", "1.1", "1.2", "\"1.1\"", "null"}) {
+        const Read one = read("{" + triangle + R"(, "frame_unit": "mm", "file_spec": )" + known + "}");
+        ASSERT_TRUE(one.pattern);
+        EXPECT_EQ(one.told, "") << known;
+    }
+    for (const char* other : {"0.9", "1.3", "2", "\"two\"", "[1]"}) {
+        const Read one =
+            read("{\n\"file_spec\": " + std::string(other) + R"(, "frame_unit": "mm", )" + triangle + "}");
+        ASSERT_TRUE(one.pattern);
+        EXPECT_NE(one.told.find("fold-version"), std::string::npos) << other;
+        EXPECT_EQ(one.line, 2) << other;
+    }
 }
 
 TEST(FoldRead, KnowsLettersAndAngles) {
