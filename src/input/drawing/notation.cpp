@@ -332,10 +332,22 @@ Hue hue_of(Color color) {
     return Hue::other;
 }
 
+namespace {
+
+std::string_view name_of(Color color) {
+    constexpr std::array<std::string_view, 7> kHues{"",     "red",     "yellow",  "green",
+                                                    "blue", "magenta", "coloured"};
+    const Hue hue = hue_of(color);
+    if (hue != Hue::dark) return nth(kHues, hue);
+    const int most = std::max({color.r, color.g, color.b});
+    return most < 80 ? "black" : most < 250 ? "grey" : "white";
+}
+
+}  // namespace
+
 std::string shown_stroke(const TracedLine& line) {
     constexpr std::array<std::string_view, 3> kDashes{"solid", "dashed", "dash-dotted"};
-    return fmt::format("{} {} ({})", nth(kDashes, line.dash), nth(kHueNames, hue_of(line.color)),
-                       to_string(line.color));
+    return fmt::format("{} {} ({})", nth(kDashes, line.dash), name_of(line.color), to_string(line.color));
 }
 
 void settle_uses(Tracing& tracing, Diagnostics& diagnostics) {

@@ -62,8 +62,6 @@ class LineRules {
 
 // The colours that notations have, each with all that is nearest to it: #ed1c24 is red, too.
 enum class Hue { dark, red, yellow, green, blue, magenta, other };
-inline constexpr std::array<std::string_view, 7> kHueNames{"black", "red",     "yellow",  "green",
-                                                           "blue",  "magenta", "coloured"};
 Hue hue_of(Color color);
 
 // "dashed blue (#0000ff)".
