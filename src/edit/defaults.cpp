@@ -68,7 +68,9 @@ double room_at(const Assembly& assembly, int plate, std::span<const Segment> bor
 }
 
 // Of a grid of places the one nearest to the middle that has so much room, or else the one that has most.
-FreePlace free_place(const Assembly& assembly, int plate, double wanted_mm) {
+// With a coordinate that is given only places there are looked at.
+FreePlace free_place(const Assembly& assembly, int plate, double wanted_mm, std::optional<double> x,
+                     std::optional<double> y) {
     constexpr int kSteps = 40;
     const Ring& outer = assembly.plates[static_cast<std::size_t>(plate)].outline.outer;
     Vec2 low = outer.front();
@@ -77,6 +79,8 @@ FreePlace free_place(const Assembly& assembly, int plate, double wanted_mm) {
         low = {std::min(low.x, p.x), std::min(low.y, p.y)};
         high = {std::max(high.x, p.x), std::max(high.y, p.y)};
     }
+    if (x) low.x = high.x = *x;
+    if (y) low.y = high.y = *y;
     const std::vector<Segment> borders = borders_on(assembly, plate);
     const Vec2 middle = 0.5 * (low + high);
     FreePlace best{middle, 0.0};
@@ -146,7 +150,9 @@ void put_on_plate(Session& session, Structure& made, const ElementInfo& info, co
     constexpr double kShareOfRoom = 0.9;
     const auto x = find_measure(info, "x");
     const auto y = find_measure(info, "y");
-    if (!x || !y || given[*x] || given[*y]) return;
+    if (!x || !y || (given[*x] && given[*y])) return;
+    const auto line = line_of_plate(session, made.plate->on);
+    if (line && (given[*x] || given[*y])) return;
     Diagnostics unheard;
     const auto checked = check(session.design, {}, unheard);
     const auto assembly = checked ? assemble(*checked, {}, unheard) : std::nullopt;
@@ -168,11 +174,14 @@ void put_on_plate(Session& session, Structure& made, const ElementInfo& info, co
         radius = own != nullptr ? *own : info.parameters[*number].standard;
     }
     wanted = std::max(wanted, radius);
-    const FreePlace place =
-        free_place(*assembly, static_cast<int>(plate - assembly->plates.begin()), wanted / kShareOfRoom);
+    const auto fixed = [&](std::size_t i) {
+        return given[i] ? std::optional<double>(measures[i]) : std::nullopt;
+    };
+    const FreePlace place = free_place(*assembly, static_cast<int>(plate - assembly->plates.begin()),
+                                       wanted / kShareOfRoom, fixed(*x), fixed(*y));
     if (place.radius_mm <= 0.0) return;
     Vec2 at = place.at;
-    if (const auto line = line_of_plate(session, made.plate->on)) {
+    if (line) {
         const measure::Spot spot = measure::spot_of(line->a, line->b);
         at = {dot(place.at - spot.at, spot.right()), dot(place.at - spot.at, spot.up())};
     }
