@@ -109,7 +109,7 @@ bool move_holds(const CompiledDesign& design, const CompileOptions& options, con
 // What `popupc show` tells of a design.
 struct ShowOptions {
     std::string id;    // of one structure alone, and what stands on it; empty: everything
-    bool all = false;  // measures that go without saying, too
+    bool all = false;  // measures that go without saying, colours and defaults, too
 };
 // A tree of elements with their measures and folds, lengths in the document's unit; one line an element.
 // nullopt after an error: there is no such id.

@@ -31,6 +31,7 @@ class HelpFormatter : public CLI::FormatterBase {
                 option->get_name(true, false) + (option->get_expected_max() > 1 ? "..." : "");
             text += option->get_required() ? " " + name : " [" + name + "]";
         }
+        if (is_verb && app->get_allow_extras()) text += " [EDIT...]";
         text += fmt::format("{}\n\n{}.\n", is_verb ? " [OPTIONS]" : "", app->get_description());
         if (!positionals.empty()) text += "\n";
         for (const CLI::Option* option : positionals) {

@@ -141,6 +141,7 @@ std::string manual_page(const VerbView& verb) {
         const std::string name = lower(one.names.front()) + (one.traits.repeatable ? " ..." : "");
         page += one.required ? fmt::format(".Ar {}\n", name) : fmt::format(".Op Ar {}\n", name);
     }
+    if (verb.takes_edit) page += ".Op Ar edit ...\n";
     page += ".Sh DESCRIPTION\n" + filled(verb.about + ".") + filled(footer.remarks);
     if (footer.remarks.empty()) page.pop_back();
     for (const Footer::List& list : footer.lists)

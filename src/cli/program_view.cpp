@@ -38,7 +38,8 @@ OptionView view_option(CLI::Option& option) {
 }
 
 VerbView view_verb(CLI::App& app) {
-    VerbView verb{app.get_name(), app.get_description(), app.get_footer(), {}, {}, {}};
+    VerbView verb{
+        app.get_name(), app.get_description(), app.get_footer(), {}, app.get_allow_extras(), {}, {}};
     for (CLI::Option* option : app.get_options()) {
         (option->nonpositional() ? verb.options : verb.positionals).push_back(view_option(*option));
     }

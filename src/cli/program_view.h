@@ -25,6 +25,7 @@ struct VerbView {
     std::string about;
     std::string footer;
     std::vector<OptionView> positionals;
+    bool takes_edit = false;          // more words follow, which make up an edit
     std::vector<OptionView> options;  // in the order of --help within a group
     std::vector<std::string> groups;  // in the order of --help
 };

@@ -50,7 +50,8 @@ CLI::App* add_show(CLI::App& app, Options& options) {
         })
         ->configurable(false)
         ->type_name("");
-    verb->add_flag("--all", show.all, "measures that go without saying, and colours, too")->group("Output");
+    verb->add_flag("--all", show.all, "measures that go without saying, colours and defaults, too")
+        ->group("Output");
     verb->add_flag("--json", show.json, "as JSON, with all measures, points and values")
         ->configurable(false)
         ->group("Output");

@@ -147,7 +147,23 @@ class Shown {
             text += fmt::format("{} {} {}", first ? ":" : ",", name, said);
             first = false;
         }
+        if (options_.all) text += defaults(n);
         if (info(n).glued) text += fmt::format("; page {}", pages_[n]);
+        return text;
+    }
+
+    // "; by default radius 25, rivet 3": the sizes that hold where none is given.
+    [[nodiscard]] std::string defaults(std::size_t n) const {
+        std::string text;
+        const auto& arguments = design_.structures[n].arguments;
+        for (std::size_t i = 0; i < arguments.size(); ++i) {
+            const ParameterInfo& parameter = info(n).parameters[i];
+            const bool is_length = parameter.kind == ParameterKind::length;
+            if (parameter.required || arguments[i].given()) continue;
+            if (!is_length && parameter.kind != ParameterKind::number) continue;
+            text += fmt::format("{} {} {}", text.empty() ? "; by default" : ",", parameter.name,
+                                is_length ? number(parameter.standard) : short_number(parameter.standard));
+        }
         return text;
     }
 
