@@ -82,6 +82,93 @@ bool is_examined(const Source& source, const Options& options) {
     return count <= kMostExamined;
 }
 
+// What an edit reads.
+struct EditInputs {
+    std::optional<Source> document;
+    bool is_sheet = false;  // the document is a drawing of a folded sheet
+    std::string edits_text;
+    std::vector<EditLine> edits;
+    std::optional<Source> refinement;
+    std::vector<Join> joins;  // of the refinement, on sheets
+    Ruler ruler;              // of the drawing, in which their corners are
+    bool readable = true;     // all files could be read
+};
+
+void read_edits_of(const EditVerbOptions& verb, EditInputs& in, Diagnostics& of_edits, Diagnostics& trouble) {
+    if (verb.file.empty()) {
+        in.edits.push_back({verb.words, {}});
+        return;
+    }
+    const auto file = read_source(verb.file, trouble);
+    in.readable = in.readable && file.has_value();
+    if (!file) return;
+    in.edits_text = file->text;
+    in.edits = read_edits(in.edits_text, of_edits);
+}
+
+// Corners in the refinement are as the drawing's ruler shows them.
+void read_joins_of(const Options& options, EditInputs& in, Diagnostics& of_refinement, Diagnostics& trouble) {
+    in.refinement = read_source(options.edit.refinement, trouble);
+    in.readable = in.readable && in.refinement.has_value();
+    if (!in.refinement) return;
+    ReadOptions as_sheet = options.compile.read;
+    as_sheet.drawing.as = DrawnAs::folded;
+    Diagnostics unheard(in.document->name);
+    const Reading reading = read_source_text(*in.document, as_sheet, unheard);
+    if (!reading.creases) return;
+    in.ruler = reading.creases->ruler;
+    auto joins = read_refinement(*in.refinement, in.ruler, of_refinement);
+    if (joins) in.joins = std::move(*joins);
+}
+
+// The drawings that edits read, which are not what comes out of them.
+void add_drawings(const std::vector<EditLine>& edits, ReadFiles& read) {
+    constexpr std::string_view kFrom = "--from";
+    for (const EditLine& line : edits) {
+        for (std::size_t i = 0; i < line.words.size(); ++i) {
+            const std::string& word = line.words[i];
+            if (word == kFrom && i + 1 < line.words.size()) read.add(line.words[i + 1], "a drawing");
+            if (word.starts_with("--from=")) read.add(word.substr(kFrom.size() + 1), "a drawing");
+        }
+    }
+}
+
+// Carries the edits out. The joins, and their ruler, are those of the edited drawing then.
+std::optional<Edited> edited_by(const Options& options, EditInputs& in, Diagnostics& heard,
+                                Diagnostics& of_document) {
+    if (in.is_sheet) {
+        DrawingEditOptions drawing{
+            options.compile.read, options.compile.fold, std::move(in.joins), options.compile.motion, in.ruler,
+            options.edit.force};
+        drawing.all = &options.compile;
+        auto edited = edit_drawing(*in.document, in.edits, drawing, heard, of_document);
+        in.joins = std::move(drawing.joins);
+        in.ruler = drawing.ruler;
+        return edited;
+    }
+    EditOptions edit;
+    edit.force = options.edit.force;
+    edit.read = options.compile.read;
+    if (is_examined(*in.document, options)) edit.all = &options.compile;
+    return edit_document(*in.document, in.edits, edit, heard, of_document);
+}
+
+// What is to be written of an edit that was not refused.
+std::vector<PendingFile> files_of(const Options& options, const EditInputs& in, const std::string& text) {
+    const FixOptions& output = options.edit.output;
+    const bool changed = text != in.document->text;
+    if (output.diff) {
+        if (!changed) return {};
+        return {{"-", unified_diff(in.document->name, in.document->text, text)}};
+    }
+    if (!output.in_place) return {{output.output.empty() ? "-" : output.output, text}};
+    if (changed) announce_links(options.messages, options.edit.document);
+    std::vector<PendingFile> files{{options.edit.document, text}};
+    // Corners that a refinement names by their places go with the drawing.
+    if (in.refinement) files.push_back({options.edit.refinement, write_refinement(in.joins, in.ruler)});
+    return files;
+}
+
 }  // namespace
 
 CLI::App* add_edit(CLI::App& app, Options& options) {
@@ -129,112 +216,57 @@ int run_edit(const Options& options) {
     };
     spare_inputs();
     Diagnostics trouble;
-    const auto source = read_source(verb.document, trouble);
-    std::vector<EditLine> edits;
     Diagnostics of_edits(verb.file);
-    std::string edits_text;
-    bool readable = source.has_value();
-    if (verb.file.empty()) {
-        edits.push_back({verb.words, {}});
-    } else if (const auto file = read_source(verb.file, trouble)) {
-        edits_text = file->text;
-        edits = read_edits(edits_text, of_edits);
-    } else {
-        readable = false;
-    }
-    // A drawing that an edit reads is not what comes out of it.
-    for (const EditLine& line : edits) {
-        constexpr std::string_view kFrom = "--from";
-        for (std::size_t i = 0; i < line.words.size(); ++i) {
-            const std::string& word = line.words[i];
-            if (word == kFrom && i + 1 < line.words.size()) read.add(line.words[i + 1], "a drawing");
-            if (word.starts_with("--from=")) read.add(word.substr(kFrom.size() + 1), "a drawing");
-        }
-    }
-    spare_inputs();
     Diagnostics of_document(verb.document, options.policy);
-    std::optional<Edited> edited;
-    DrawingEditOptions drawing{
-        options.compile.read, options.compile.fold, {}, options.compile.motion, {}, verb.force};
-    const bool is_sheet = source && is_sheet_drawing(*source, options.compile.read);
-    if (source && !is_sheet) {
-        check_is_document(*source, options.compile.read,
+    Diagnostics of_refinement(verb.refinement, options.policy);
+    EditInputs in;
+    in.document = read_source(verb.document, trouble);
+    in.readable = in.document.has_value();
+    read_edits_of(verb, in, of_edits, trouble);
+    add_drawings(in.edits, read);
+    spare_inputs();
+    in.is_sheet = in.document && is_sheet_drawing(*in.document, options.compile.read);
+    if (in.document && !in.is_sheet) {
+        check_is_document(*in.document, options.compile.read,
                           "edit changes popup documents, and SVG drawings of folded sheets");
         check_document_name(verb.output.output, "edit");
     }
-    Diagnostics of_refinement(verb.refinement, options.policy);
-    std::optional<Source> refinement;
-    if (is_sheet && !verb.refinement.empty()) {
-        refinement = read_source(verb.refinement, trouble);
-        readable = readable && refinement.has_value();
-        // Corners in it are as the drawing's ruler shows them.
-        if (refinement) {
-            ReadOptions as_sheet = options.compile.read;
-            as_sheet.drawing.as = DrawnAs::folded;
-            Diagnostics unheard(source->name);
-            const Reading reading = read_source_text(*source, as_sheet, unheard);
-            if (reading.creases) {
-                drawing.ruler = reading.creases->ruler;
-                auto joins = read_refinement(*refinement, drawing.ruler, of_refinement);
-                if (joins) drawing.joins = std::move(*joins);
-            }
-        }
-    }
-    EditOptions edit;
-    edit.force = verb.force;
-    edit.read = options.compile.read;
-    if (readable && !of_edits.has_errors() && !of_refinement.has_errors()) {
-        Diagnostics& heard = verb.file.empty() ? of_document : of_edits;
-        if (!is_sheet && is_examined(*source, options)) edit.all = &options.compile;
-        drawing.all = &options.compile;
-        edited = is_sheet ? edit_drawing(*source, edits, drawing, heard, of_document)
-                          : edit_document(*source, edits, edit, heard, of_document);
-    }
+    if (in.is_sheet && !verb.refinement.empty()) read_joins_of(options, in, of_refinement, trouble);
+    std::optional<Edited> edited;
+    if (in.readable && !of_edits.has_errors() && !of_refinement.has_errors())
+        edited = edited_by(options, in, verb.file.empty() ? of_document : of_edits, of_document);
     if (edited) {
         check_loaded(edited->files, {verb.output.output, options.messages.file});
-    } else if (source) {
-        check_loaded(*source, options.compile.read, {options.messages.file});
+    } else if (in.document) {
+        check_loaded(*in.document, options.compile.read, {options.messages.file});
     }
     const bool accepted = edited && !edited->refused;
-    bool written = true;
-    bool changed = false;
-    if (accepted) {
-        changed = edited->text != source->text;
-        if (!is_sheet && changed && !edited->examined) {
-            of_document
-                .remark(
-                    "edit-not-examined", {},
+    const bool changed = accepted && edited->text != in.document->text;
+    if (changed && !in.is_sheet && !edited->examined) {
+        of_document
+            .remark("edit-not-examined", {},
                     fmt::format("the document has more than {} elements, so that collisions, what sticks out "
                                 "and tabs were not looked at",
                                 kMostExamined))
-                .hint("popupc check looks at them; so does edit with --deny or --werror");
-        }
-        std::vector<PendingFile> files;
-        if (verb.output.diff) {
-            if (changed) files.push_back({"-", unified_diff(source->name, source->text, edited->text)});
-        } else if (verb.output.in_place) {
-            if (changed) announce_links(options.messages, verb.document);
-            files.push_back({verb.document, edited->text});
-            // Corners that it names by their places go with the drawing.
-            if (refinement)
-                files.push_back({verb.refinement, write_refinement(drawing.joins, drawing.ruler)});
-        } else {
-            files.push_back({verb.output.output.empty() ? "-" : verb.output.output, edited->text});
-        }
+            .hint("popupc check looks at them; so does edit with --deny or --werror");
+    }
+    bool written = true;
+    if (accepted) {
+        const std::vector<PendingFile> files = files_of(options, in, edited->text);
         if (!files.empty()) {
             clear_litter({files.front().path});
             written = write_all(files, verb.output.in_place, trouble);
         }
     }
     if (!written && reader_has_gone()) return exit_unusable;
-    const std::string text = edited ? edited->text : source ? source->text : std::string();
+    const std::string text = edited ? edited->text : in.document ? in.document->text : std::string();
     std::vector<FileFindings> findings;
-    if (!of_edits.sorted().empty()) findings.push_back({&of_edits, edits_text, false});
+    if (!of_edits.sorted().empty()) findings.push_back({&of_edits, in.edits_text, false});
     if (findings.empty() || !of_document.sorted().empty()) findings.push_back({&of_document, text});
-    if (refinement && !of_refinement.sorted().empty())
-        findings.push_back({&of_refinement, refinement->text, false});
+    if (in.refinement && !of_refinement.sorted().empty())
+        findings.push_back({&of_refinement, in.refinement->text, false});
     const bool told = report(options.messages, findings, trouble);
-    if (!readable || !written || !told) return exit_unusable;
+    if (!in.readable || !written || !told) return exit_unusable;
     return !accepted || (verb.output.diff && changed) ? exit_findings : exit_done;
 }
 
