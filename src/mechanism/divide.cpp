@@ -138,115 +138,142 @@ Border with_corners_on(const Border& border, const DirectedLine& line) {
     return made;
 }
 
+namespace {
+
+int as_int(std::size_t i) { return static_cast<int>(i); }
+
+// A corner of a border that lies on the line.
+struct Node {
+    double along = 0.0;
+    std::size_t leaving = 0;  // the edge that begins there
+};
+
+// By place.
+std::vector<Node> nodes_on(const Border& border, const DirectedLine& line) {
+    std::vector<Node> nodes;
+    for (std::size_t i = 0; i < border.edges.size(); ++i) {
+        if (side_of(border.edges[i].from, line) == 0)
+            nodes.push_back({along_of(border.edges[i].from, line), i});
+    }
+    std::sort(nodes.begin(), nodes.end(), [](const Node& a, const Node& b) {
+        return std::pair(a.along, a.leaving) < std::pair(b.along, b.leaving);
+    });
+    return nodes;
+}
+
+std::size_t leaving_at(const std::vector<Node>& nodes, double along) {
+    return std::lower_bound(nodes.begin(), nodes.end(), along,
+                            [](const Node& node, double at) { return node.along < at; })
+        ->leaving;
+}
+
+// The edges above the chords that begin and end at a node; -1: none. The edge below is the next one.
+struct Meeting {
+    int right = -1, left = -1;
+};
+
+// At a node what comes in goes on with what leaves next, clockwise.
+void link_at(const Border& border, const DirectedLine& line, std::size_t leaving, const Meeting& chords,
+             std::vector<int>& next) {
+    const std::size_t drawn = border.edges.size();
+    const std::size_t entering = (leaving + drawn - 1) % drawn;
+    const Vec2 at = border.edges[leaving].from;
+    const auto direction = [&](Vec2 to) {
+        const double rise = side_of(to, line) == 0 ? 0.0 : cross(line.dir, to - line.at);
+        return std::atan2(rise, along_of(to, line) - along_of(at, line));
+    };
+    struct Way {
+        int edge;
+        double angle;
+    };
+    std::vector<Way> out{{as_int(leaving), direction(border.edges[border.next(leaving)].from)}};
+    // Where one comes from, seen from here.
+    std::vector<Way> in{{as_int(entering), direction(border.edges[entering].from)}};
+    if (chords.right >= 0) {
+        out.push_back({chords.right, 0.0});
+        in.push_back({chords.right + 1, 0.0});
+    }
+    if (chords.left >= 0) {
+        out.push_back({chords.left + 1, std::numbers::pi});
+        in.push_back({chords.left, std::numbers::pi});
+    }
+    for (const Way& from : in) {
+        const Way* best = nullptr;
+        for (const Way& to : out) {
+            if (best == nullptr || clockwise(from.angle, to.angle) < clockwise(from.angle, best->angle))
+                best = &to;
+        }
+        next[static_cast<std::size_t>(from.edge)] = best->edge;
+    }
+}
+
+// Whether each edge follows another.
+bool is_whole(const std::vector<int>& next) {
+    std::vector<char> followed(next.size(), 0);
+    for (const int one : next) {
+        if (one >= 0) followed[static_cast<std::size_t>(one)] = 1;
+    }
+    return std::find(followed.begin(), followed.end(), 0) == followed.end();
+}
+
+}  // namespace
+
 Division divide(const Border& border, const DirectedLine& line, EdgeOf made) {
     Division result;
     const Border marked = with_corners_on(border, line);
     result.cubics_ = marked.cubics;
     result.edges_ = marked.edges;
     const std::size_t drawn = marked.edges.size();
-    const auto index = [](std::size_t i) { return static_cast<int>(i); };
-    for (std::size_t i = 0; i < drawn; ++i) result.next_.push_back(index(marked.next(i)));
-
+    std::vector<int> undivided;
+    for (std::size_t i = 0; i < drawn; ++i) undivided.push_back(as_int(marked.next(i)));
+    result.next_ = undivided;
     for (const auto& [from, to] : common(stretches(marked, line, 1), stretches(marked, line, -1)))
         result.chords.push_back({from, to, -1, -1});
 
-    // Corners on the line, by place; the chords that meet there.
-    struct Node {
-        double along = 0.0;
-        std::size_t leaving = 0;  // the edge that begins there
-    };
-    std::vector<Node> nodes;
-    for (std::size_t i = 0; i < drawn; ++i) {
-        if (side_of(marked.edges[i].from, line) == 0)
-            nodes.push_back({along_of(marked.edges[i].from, line), i});
-    }
-    std::sort(nodes.begin(), nodes.end(), [](const Node& a, const Node& b) {
-        return std::pair(a.along, a.leaving) < std::pair(b.along, b.leaving);
-    });
-    const auto node_at = [&](double along) {
-        return std::lower_bound(nodes.begin(), nodes.end(), along,
-                                [](const Node& node, double at) { return node.along < at; })
-            ->leaving;
-    };
-    // Of each node: the chord that begins at it, and the one that ends there, as edges; -1: none.
-    struct Meeting {
-        int right = -1, left = -1;  // edges above the chords
-    };
+    const std::vector<Node> nodes = nodes_on(marked, line);
     std::map<std::size_t, Meeting> meetings;
-    for (Division::Chord& chord : result.chords) {
-        const int edge = index(result.edges_.size());
+    for (const Division::Chord& chord : result.chords) {
+        const int edge = as_int(result.edges_.size());
         result.chord_edge_.push_back(edge);
-        const std::size_t from = node_at(chord.from);
-        const std::size_t to = node_at(chord.to);
+        const std::size_t from = leaving_at(nodes, chord.from);
+        const std::size_t to = leaving_at(nodes, chord.to);
         result.edges_.push_back({marked.edges[from].from, -1, 0.0, 0.0, made});
         result.edges_.push_back({marked.edges[to].from, -1, 0.0, 0.0, made});
-        result.next_.push_back(-1);
-        result.next_.push_back(-1);
         meetings[from].right = edge;
         meetings[to].left = edge;
     }
-    for (const auto& [leaving, chords] : meetings) {
-        const std::size_t entering = (leaving + drawn - 1) % drawn;
-        const Vec2 at = marked.edges[leaving].from;
-        const auto direction = [&](Vec2 to) {
-            const double rise = side_of(to, line) == 0 ? 0.0 : cross(line.dir, to - line.at);
-            return std::atan2(rise, along_of(to, line) - along_of(at, line));
-        };
-        struct Way {
-            int edge;
-            double angle;
-        };
-        std::vector<Way> out{{index(leaving), direction(marked.edges[marked.next(leaving)].from)}};
-        // Where one comes from, seen from here.
-        std::vector<Way> in{{index(entering), direction(marked.edges[entering].from)}};
-        if (chords.right >= 0) {
-            out.push_back({chords.right, 0.0});
-            in.push_back({chords.right + 1, 0.0});
-        }
-        if (chords.left >= 0) {
-            out.push_back({chords.left + 1, std::numbers::pi});
-            in.push_back({chords.left, std::numbers::pi});
-        }
-        for (const Way& from : in) {
-            const Way* best = nullptr;
-            for (const Way& to : out) {
-                if (best == nullptr || clockwise(from.angle, to.angle) < clockwise(from.angle, best->angle))
-                    best = &to;
-            }
-            result.next_[static_cast<std::size_t>(from.edge)] = best->edge;
-        }
-    }
+    result.next_.resize(result.edges_.size(), -1);
+    for (const auto& [leaving, chords] : meetings) link_at(marked, line, leaving, chords, result.next_);
     // Where rounding leaves no telling what follows what, nothing is divided.
-    std::vector<char> followed(result.next_.size(), 0);
-    for (const int next : result.next_) {
-        if (next >= 0) followed[static_cast<std::size_t>(next)] = 1;
-    }
-    if (std::find(followed.begin(), followed.end(), 0) != followed.end()) {
+    if (!is_whole(result.next_)) {
         result.chords.clear();
         result.chord_edge_.clear();
         result.edges_.resize(drawn);
-        result.next_.resize(drawn);
-        for (std::size_t i = 0; i < drawn; ++i) result.next_[i] = index(marked.next(i));
+        result.next_ = std::move(undivided);
     }
-    result.part_.assign(result.edges_.size(), -1);
-    for (std::size_t i = 0; i < result.edges_.size(); ++i) {
-        if (result.part_[i] >= 0) continue;
-        const int number = index(result.first_.size());
-        result.first_.push_back(index(i));
+    result.number_parts(line);
+    return result;
+}
+
+void Division::number_parts(const DirectedLine& line) {
+    part_.assign(edges_.size(), -1);
+    for (std::size_t i = 0; i < edges_.size(); ++i) {
+        if (part_[i] >= 0) continue;
+        const int part = as_int(first_.size());
+        first_.push_back(as_int(i));
         double most = 0.0;
-        for (std::size_t at = i; result.part_[at] < 0; at = static_cast<std::size_t>(result.next_[at])) {
-            result.part_[at] = number;
-            const double off = cross(line.dir, result.edges_[at].from - line.at);
+        for (std::size_t at = i; part_[at] < 0; at = static_cast<std::size_t>(next_[at])) {
+            part_[at] = part;
+            const double off = cross(line.dir, edges_[at].from - line.at);
             if (std::abs(off) > std::abs(most)) most = off;
         }
-        result.above_.push_back(most > 0.0);
+        above_.push_back(most > 0.0);
     }
-    for (std::size_t i = 0; i < result.chords.size(); ++i) {
-        const auto edge = static_cast<std::size_t>(result.chord_edge_[i]);
-        result.chords[i].above = result.part_[edge];
-        result.chords[i].below = result.part_[edge + 1];
+    for (std::size_t i = 0; i < chords.size(); ++i) {
+        const auto edge = static_cast<std::size_t>(chord_edge_[i]);
+        chords[i].above = part_[edge];
+        chords[i].below = part_[edge + 1];
     }
-    return result;
 }
 
 std::vector<Border> Division::joined(const std::vector<bool>& folded, std::vector<int>& group_of) const {

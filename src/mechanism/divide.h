@@ -46,6 +46,8 @@ class Division {
 
  private:
     friend Division divide(const Border& border, const DirectedLine& line, EdgeOf made);
+    // Finds the parts that the edges make up, and where they lie.
+    void number_parts(const DirectedLine& line);
     std::vector<BorderEdge> edges_;
     std::vector<Cubic> cubics_;
     std::vector<int> next_;
