@@ -27,7 +27,9 @@ void write_turned(cairo_t* context, std::string_view text, Vec2 at, double cap_m
 // With its left end at `at`, on the base line.
 void write_from(cairo_t* context, std::string_view text, Vec2 at, double cap_mm);
 
-// The words of a text in lines that are no longer than `room_mm`, where no word alone is.
+// The words of a text in lines that are no longer than `room_mm`. A word that is longer is broken, behind a
+// "-",
+// "_", "." or "/" of it where that can be; a single character never is.
 std::vector<std::string> wrapped(cairo_t* context, std::string_view text, double cap_mm, double room_mm);
 
 }  // namespace popup
