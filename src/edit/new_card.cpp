@@ -110,8 +110,10 @@ std::optional<std::string> new_document(const NewCard& wanted, Diagnostics& diag
         unit.name, xml::format_number(wanted.width_mm.value_or(kCardWidthMm) / unit.mm),
         xml::format_number(height / unit.mm));
     if (wanted.with.empty()) return text;
-    // Each has its own stretch of the gutter, from its end to its begin: the first stands furthest back.
+    // Each has its own stretch of the gutter, from its end to its begin: the first stands furthest back. On a
+    // narrow card what is larger than the card is wide would stick out of it closed.
     std::vector<EditLine> edits;
+    const double width = wanted.width_mm.value_or(kCardWidthMm);
     const double room = height / static_cast<double>(wanted.with.size());
     double at = 0.5 * height - 0.5 * room;
     for (const std::string& type : wanted.with) {
@@ -120,7 +122,7 @@ std::optional<std::string> new_document(const NewCard& wanted, Diagnostics& diag
         edit.words = {"add", type};
         if (info != nullptr) {
             edit.words.insert(edit.words.end(),
-                              {"--room", fmt::format("{}mm", std::min(1.6 * room, height))});
+                              {"--room", fmt::format("{}mm", std::min({1.6 * room, height, width}))});
             const char* place = find_measure(*info, "at") ? "--at" : find_measure(*info, "y") ? "--y" : "";
             if (*place != '\0') edit.words.insert(edit.words.end(), {place, fmt::format("{}mm", at)});
         }
