@@ -24,8 +24,8 @@ struct EditLine {
     Place place;  // where it stands in a file of edits
 };
 
-// The edits of a file, one a line: words as a shell reads them, `#` begins a comment. Quotes that do not end
-// are errors.
+// The edits of a file, one a line: words as a shell reads them. A line that begins with `#` is a comment, and
+// so is what follows a `#` that stands alone. Quotes that do not end are errors.
 std::vector<EditLine> read_edits(std::string_view text, Diagnostics& diagnostics);
 
 // One row an edit, for help and manuals.
@@ -56,11 +56,11 @@ struct Edited {
 // checked as always; when it has an error that it did not have before, that is refused: `edit-refused` in
 // `of_edits`, at an edit that brings it, and the errors in `of_document`, unless it is forced. What else the
 // checks newly find is in `of_document` too. What the policy of `of_document` makes an error is one: it is
-// refused. The two may be one object. nullopt: there is no such document.
-// Cost: one reading of the document, one look at what stands on what, and a check of what it becomes. Where
-// that finds anything, both documents are read, checked and moved as a whole; edits that change what a later
-// one stands on cost another look; what is refused of n edits costs log2(n) times that. With `all`: two
-// compilations, and log2(n) more where it is refused.
+// refused. The two may be one object. nullopt, with errors in them: the document cannot be read, or an edit
+// cannot be carried out. Cost: one reading of the document, one look at what stands on what, and a check of
+// what it becomes. Where that finds anything, both documents are read, checked and moved as a whole; edits
+// that change what a later one stands on cost another look; what is refused of n edits costs log2(n) times
+// that. With `all`: two compilations, and log2(n) more where it is refused.
 std::optional<Edited> edit_document(const Source& source, std::span<const EditLine> edits,
                                     const EditOptions& options, Diagnostics& of_edits,
                                     Diagnostics& of_document);
@@ -97,12 +97,12 @@ std::optional<std::string> clearing_move(const CompiledDesign& design, const Com
 std::optional<std::string> move_command(const CompiledDesign& design, const CompileOptions& options,
                                         const std::string& element, Vec2 by);
 
-// Whether a move, by so many mm on the page of the left plate that drives the element, does to the design
-// what it does to the plates: the design, changed so and checked, has no error, and all plates are as large
-// as before. It need not be so: an element that is too large for where it stands is made smaller, by how much
-// depends on the place; and where it comes to stand the fold may have been cut away. False where no edit
-// moves the element so; true where nothing can be edited, as the design is no document. Precondition: the
-// design has been assembled with these options. Cost: that of a check() and an assemble().
+// Whether moving the element in the document, by so many mm on the page of the left plate that drives it,
+// does what moving its plates does: the design, changed so and checked, has no error, and all plates are as
+// large as before. It need not be so: an element that is too large for where it stands is made smaller, by
+// how much depends on the place; and where it comes to stand the fold may have been cut away. False where no
+// edit moves the element so; true where nothing can be edited, as the design is no document. Precondition:
+// the design has been assembled with these options. Cost: that of a check() and an assemble().
 bool move_holds(const CompiledDesign& design, const CompileOptions& options, const std::string& element,
                 Vec2 by);
 

@@ -365,11 +365,13 @@ std::vector<EditLine> read_edits(std::string_view text, Diagnostics& diagnostics
         edit.place = {number, 1};
         Diagnostics trouble(diagnostics.file());
         const std::vector<QuotedWord> words = quoted_words(line, "bad-edit", trouble);
+        const auto comment = std::find_if(words.begin(), words.end(), [](const QuotedWord& word) {
+            return word.plain && word.text == "#";
+        });
+        for (auto word = words.begin(); word != comment; ++word) edit.words.push_back(word->text);
+        // A quote that does not end takes all behind it, so one behind a comment's begin is in the comment.
+        if (comment != words.end()) continue;
         for (const Diagnostic& one : trouble.sorted()) diagnostics.error("bad-edit", edit.place, one.message);
-        for (const QuotedWord& word : words) {
-            if (word.plain && word.text.starts_with('#') && word.text.size() == 1) break;
-            edit.words.push_back(word.text);
-        }
     }
     return made;
 }

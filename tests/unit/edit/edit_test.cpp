@@ -475,7 +475,8 @@ TEST(Edit, MovesDrawnPiecesAsTheyAre) {
 TEST(Edit, ReadsEditsOneALine) {
     Diagnostics trouble("edits.txt");
     const auto edits = read_edits(
-        "# a comment\n\nset bird --left-color '#5b8c5a'\r\n  delete \"old one\" # gone\n", trouble);
+        "# a comment\n\nset bird --left-color '#5b8c5a'\r\n  delete \"old one\" # it's gone\n", trouble);
+    EXPECT_EQ(findings(trouble), "");
     ASSERT_EQ(edits.size(), 2U);
     EXPECT_EQ(edits[0].words, (std::vector<std::string>{"set", "bird", "--left-color", "#5b8c5a"}));
     EXPECT_EQ(edits[0].place, (Place{3, 1}));
