@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <string>
@@ -11,6 +12,7 @@
 
 #include "base/nth.h"
 #include "base/text/json_tree.h"
+#include "base/text/number_scanner.h"
 #include "base/text/place_at.h"
 #include "base/text/shown.h"
 #include "input/fold/carry.h"
@@ -77,18 +79,22 @@ class Reader {
 
     // Some programs write the version as a text.
     void tell_version(const JsonValue& root) {
+        constexpr std::array kKnown{1.0, 1.1, 1.2};
         const JsonValue* version = root.member("file_spec");
         if (version == nullptr || version->null()) return;
-        const std::string* text = version->text();
         const double* number = version->number();
-        const std::string said = number != nullptr ? fmt::format("{:g}", *number)
-                                 : text != nullptr ? *text
-                                                   : "";
-        if (said == "1" || said == "1.1" || said == "1.2") return;
+        const std::string* text = version->text();
+        std::vector<double> said;
+        if (number != nullptr) said = {*number};
+        if (text != nullptr) said = parse_numbers(*text).value_or(std::vector<double>{});
+        if (said.size() == 1 && std::find(kKnown.begin(), kKnown.end(), said[0]) != kKnown.end()) return;
+        const std::string shown_as = number != nullptr ? fmt::format(" {:g}", *number)
+                                     : text != nullptr ? fmt::format(" \"{}\"", shown(*text))
+                                                       : std::string();
         diagnostics_
-            .remark("fold-version", place(version->at),
-                    fmt::format("its file_spec \"{}\" is none of 1, 1.1 and 1.2; it was read as FOLD 1.2",
-                                shown(said)))
+            .remark(
+                "fold-version", place(version->at),
+                fmt::format("its file_spec{} is none of 1, 1.1 and 1.2; it was read as FOLD 1.2", shown_as))
             .hint("what other versions say in another way is not seen: export it as one of these");
     }
 

@@ -50,12 +50,12 @@ TEST(FoldRead, TellsOfUnitsAndVersionsThatFoldHasNot) {
     ASSERT_TRUE(inches.pattern);
     EXPECT_NE(inches.told.find(R"(its frame_unit "inches" is none that FOLD has)"), std::string::npos)
         << inches.told;
-    for (const char* known : {"1", "1.1", "1.2", "\"1.1\"", "null"}) {
+    for (const char* known : {"1", "1.1", "1.2", "\"1.1\"", "\"1.0\"", "null"}) {
         const Read one = read("{" + triangle + R"(, "frame_unit": "mm", "file_spec": )" + known + "}");
         ASSERT_TRUE(one.pattern);
         EXPECT_EQ(one.told, "") << known;
     }
-    for (const char* other : {"0.9", "1.3", "2", "\"two\"", "[1]"}) {
+    for (const char* other : {"0.9", "1.3", "2", "\"two\"", "\"\"", "true", "[1]"}) {
         const Read one =
             read("{\n\"file_spec\": " + std::string(other) + R"(, "frame_unit": "mm", )" + triangle + "}");
         ASSERT_TRUE(one.pattern);
