@@ -152,14 +152,15 @@ class Shown {
         return text;
     }
 
-    // "; by default radius 25, rivet 3": the sizes that hold where none is given.
+    // "; by default radius 25, rivet 3": the sizes that are not given. Whether the element uses them depends
+    // on what is: a disc with an outline has no radius.
     [[nodiscard]] std::string defaults(std::size_t n) const {
         std::string text;
         const auto& arguments = design_.structures[n].arguments;
-        for (std::size_t i = 0; i < arguments.size(); ++i) {
+        for (std::size_t i = 0; i < info(n).parameters.size(); ++i) {
             const ParameterInfo& parameter = info(n).parameters[i];
             const bool is_length = parameter.kind == ParameterKind::length;
-            if (parameter.required || arguments[i].given()) continue;
+            if (parameter.required || (i < arguments.size() && arguments[i].given())) continue;
             if (!is_length && parameter.kind != ParameterKind::number) continue;
             text += fmt::format("{} {} {}", text.empty() ? "; by default" : ",", parameter.name,
                                 is_length ? number(parameter.standard) : short_number(parameter.standard));
