@@ -181,7 +181,8 @@ std::vector<Polygon> to_polygons(Paths paths) {
     return polygons;
 }
 
-// What rings enclose by the even-odd rule where no two edges meet: the same as the clipper makes of them.
+// What rings enclose by the even-odd rule where no two edges meet: what the clipper makes of them, but that
+// it drops what is thinner than the grid.
 std::optional<Paths> enclosed_by_simple(const Paths& paths) {
     std::vector<CornerRing> rings;
     for (const Path& path : paths) {
@@ -203,11 +204,10 @@ std::optional<Paths> enclosed_by_simple(const Paths& paths) {
     return made;
 }
 
-// A ring without holes, or with holes that touch neither it nor one another: what the clipper makes of a ring
-// less the holes. nullopt where they are not so. It spares the clipper, whose cost grows with the square of the
-// lowest points of a ring.
+// The first ring less the others, where these are holes in it that touch neither it nor one another; nullopt
+// where they are not. The clipper makes the same of them, but that it drops what is thinner than the grid.
+// Its cost grows with the square of the lowest points of a ring.
 std::optional<Paths> with_holes_apart(const Paths& ring, const Paths& holes) {
-    if (ring.empty()) return std::nullopt;
     Paths all = ring;
     all.insert(all.end(), holes.begin(), holes.end());
     auto made = enclosed_by_simple(all);
@@ -225,7 +225,7 @@ Paths run(ClipperLib::ClipType type, const std::vector<Polygon>& a, const std::v
     const Paths of_a = to_paths(a, common ? &box_of_b : nullptr);
     const Paths of_b = to_paths(b, common ? &box_of_a : nullptr);
     if (type == ClipperLib::ctDifference || (type == ClipperLib::ctUnion && b.empty())) {
-        if (a.size() == 1) {
+        if (a.size() == 1 && a[0].outer.size() >= 3) {
             if (auto apart = with_holes_apart(of_a, of_b)) return std::move(*apart);
         }
     }

@@ -67,6 +67,40 @@ TEST(Regions, BooleansAgreeWithPointwiseLogicOnRandomPolygons) {
     }
 }
 
+// A single ring, its holes and what is taken out of it, wherever they lie: most of these rings are apart, and
+// such need no clipper.
+TEST(Regions, OneRingAndItsHolesAgreeWithPointwiseLogicToo) {
+    std::mt19937 random(21);
+    int apart = 0;
+    for (int round = 0; round < 400; ++round) {
+        const Polygon ring = random_star(random);
+        const Vec2 middle = 0.5 * (bounds(ring.outer).min + bounds(ring.outer).max);
+        std::vector<Polygon> holes;
+        for (int i = 0; i < 3; ++i) {
+            Polygon hole = random_star(random);
+            // Most in the ring, some round it, and some beside it.
+            const double size = round % 5 == 0 ? 3.0 : 0.1;
+            const Vec2 at = middle + Vec2{4.0 * (i - 1), round % 7 == 0 ? 60.0 : 0.0};
+            const Vec2 own = 0.5 * (bounds(hole.outer).min + bounds(hole.outer).max);
+            for (Vec2& p : hole.outer) p = at + size * (p - own);
+            holes.push_back(std::move(hole));
+        }
+        const auto left = subtract({ring}, holes);
+        const auto twice = unite({ring});
+        const auto once = filled({ring.outer}, FillRule::non_zero);
+        if (left.size() == 1 && left[0].holes.size() == 3) ++apart;
+        for (int i = 0; i < 100; ++i) {
+            const Vec2 p{static_cast<double>(random() % 130000) / 1000.0 - 15.0,
+                         static_cast<double>(random() % 130000) / 1000.0 - 15.0};
+            if (std::min(edge_distance({ring}, p), edge_distance(holes, p)) < 1e-5) continue;
+            EXPECT_EQ(covered(left, p), contains(ring, p) && !covered(holes, p)) << round;
+            EXPECT_EQ(covered(twice, p), contains(ring, p)) << round;
+            EXPECT_EQ(covered(once, p), contains(ring, p)) << round;
+        }
+    }
+    EXPECT_GT(apart, 40);
+}
+
 // What runs round a small region far outside of it still goes round it.
 TEST(Regions, ASmallPartOfALongCoilIsThatPart) {
     Polygon coil;
