@@ -108,12 +108,13 @@ struct Compilation {
 Compilation compile(std::vector<Source> sources, const CompileOptions& options,
                     const DiagnosticPolicy& policy);
 
-// Goes on with a design whose stages ended where they were asked to end: as compile() would have, but with
-// nothing done twice. Its source and the options, but for `until`, are those that it was compiled with.
+// Goes on with a design that was compiled up to Stage::check: as compile() would have, but with nothing done
+// twice. Does nothing to one that has no checked design. Its source and the options, but for `until`, are
+// those that it was compiled with.
 void compile_further(CompiledDesign& one, const CompileOptions& options);
 
-// The same up to Stage::pattern for who wants the findings alone, such as an editor: in place of the pattern,
-// which is not made, judge_tabs() says what that would have found. options.until is not looked at.
+// The same up to Stage::pattern for callers that want the findings alone, such as an editor: no pattern is
+// made, and judge_tabs() says what make_pattern() would have found. options.until is not looked at.
 void find_further(CompiledDesign& one, const CompileOptions& options);
 
 // The last stage alone, of designs that were compiled as far as their patterns with the same options: lays

@@ -45,8 +45,9 @@ struct CreaseLine {
     std::string name = {};  // by which options name it: "#ff0000", or the number of its edge
 };
 
-// Gives a line an angle as drawings say it, degrees in [-180, 180]: less than 0 is the other way than it is
-// drawn. Of a fold that does not say which way, less than 0 is a mountain, and all else stays as it is.
+// Gives a line an angle as drawings say it, degrees in [-180, 180]: one less than 0 makes a mountain of a
+// valley, and a valley of a mountain. Of a fold that does not say which way, less than 0 is a mountain, and
+// all else stays as it is.
 inline void fold_by(CreaseLine& line, double deg) {
     line.fold_deg = deg < 0.0 ? -deg : deg;
     if (deg < 0.0) line.use = line.use == CreaseUse::mountain ? CreaseUse::valley : CreaseUse::mountain;
@@ -98,7 +99,8 @@ struct FoldOptions {
     // Ends that miss what they mean to meet by no more are moved there; >= 0.02. None: 0.5 mm, or 1/400 of
     // the sheet's longer side if that is more, for on large sheets lines are drawn more coarsely.
     std::optional<double> snap_mm = {};
-    double refine_mm = 0.2;    // by it, or a thousandth of the sheet, may corners be moved to close loops
+    // Corners may move by this, or by a thousandth of the sheet if that is more, to close loops.
+    double refine_mm = 0.2;
     bool flat = false;         // fold_sheet() gives the sheet as fold_flat() finds it to lie, standing still
     double closure_mm = 1e-7;  // loops of a folded sheet are closed to this; > 0
     // The caliper of the board, > 0: fold_sheet() folds the sheet that allow_for_board() gives, if it gives
@@ -118,16 +120,16 @@ struct FoldOptions {
 // FoldOptions::closure_mm at every opening, and not only at some.
 //
 // Told with their places: repairs `end-moved`, `fold-drawn-twice`; warnings `dangling-fold`, `no-border`,
-// `falls-out`, `fold-other-way`, `fold-stays-flat`, `folding-undecided` (folds that hang together, of which
-// it was given up to find how they go, after steps that are counted and not timed; they stay flat, and
-// collisions are not looked for); errors `document-too-large`, `no-sheet`. A pattern whose
-// loops do not close is told of with `not-rigid`, with the worst loop and by how much it stays open. It is
-// folded as far as it can be; where it does not leave the flat sheet, panels are divided into triangles along
-// which they bend, by as little as brings the folds near to their angles, so that it can be seen
-// (Sweep::bends). Where written angles close and no way that folds alone leads to them, the motion jumps
-// there at its end: `no-rigid-way`. Folds that end at other angles than they are to are counted in
-// `other-angle`; the remark `web-corners` tells of webs between the walls of a tray. What is cut and scored
-// stays as drawn. Cost: near linear in lines, and in panels times ranges of the motion.
+// `falls-out`, `fold-other-way`, `fold-stays-flat`, `folding-undecided` (connected folds whose motion was not
+// found within a number of steps; they stay flat, and collisions are not looked for); errors
+// `document-too-large`, `no-sheet`. A pattern whose loops do not close is told of with `not-rigid`, with the
+// worst loop and by how much it stays open. It is folded as far as it can be; where it does not leave the
+// flat sheet, panels are divided into triangles along which they bend, by as little as brings the folds near
+// to their angles, so that it can be seen (Sweep::bends). Where the written angles close, and no motion of
+// rigid panels reaches them, the sheet jumps there at its end: `no-rigid-way`. Folds that end at other angles
+// than they are to are counted in `other-angle`; remarks: `web-corners` tells of webs between the walls of a
+// tray, `no-folds` of a sheet without any, `board-left-out` of a board that no allowance was made for. What
+// is cut and scored stays as drawn. Cost: near linear in lines, and in panels times ranges of the motion.
 std::optional<Assembly> fold_sheet(const CreasePattern& pattern, const FoldOptions& options,
                                    Diagnostics& diagnostics);
 
@@ -140,8 +142,8 @@ struct BoardedSheet {
 // The sheet of a carton with its creases moved for board of that caliper, folded whole by the options. Where
 // panels lie on each other in the closed shape, their middles are a caliper apart: the one that goes inside
 // is moved in, by moving its crease, and all that is beyond it, into the panel that it hangs on. A tuck flap
-// goes in by a caliper and a half. Inside goes what is so already, else the smaller of two. Cuts that go on
-// from the ends of a crease move with it. Creases of loops stay where they are.
+// goes in by a caliper and a half. The panel that is inside already stays inside; of others the smaller goes
+// inside. Cuts that go on from the ends of a crease move with it. Creases of loops stay where they are.
 //
 // Told: the warning `crease-moved` for each, with where it was and is; `no-room-for-board` of panels that lie
 // too near after that; the remark `carton-size` for each piece: its blank, its area, its outer size and what

@@ -19,8 +19,7 @@
 namespace popup {
 
 // Where a value stands in the source text, in bytes; length 0 and offset npos when it was not written.
-// Only input/ makes and uses these: with them a repair changes the author's numbers and nothing else of the
-// file.
+// input/ makes these: with them repairs and edits change the author's numbers and nothing else of the file.
 struct TextRange {
     std::size_t offset = std::string::npos;
     std::size_t length = 0;
@@ -32,13 +31,13 @@ struct DesignPoint {
     Vec2 at;
     std::optional<int> page;  // only where the author gave one
     Place place;
-    TextRange x_text, y_text, page_text;
+    TextRange x_text, y_text, page_text;  // where the numbers stand
     TextRange tag_text;    // the start tag, where a missing page attribute would go; absent in a list as text
     bool changed = false;  // true once a repair has moved it: `at` (or page) differs from what is written
 };
 
-// A fold or plate that is named in place of points of it: "bird.centre". What stands there gives its points
-// beside it: x across the fold, to the right, and y along it, from its middle; so it follows the fold
+// A fold or plate that is given by its name and not by points: "bird.centre". What stands there gives its
+// points beside it: x across the fold, to the right, and y along it, from its middle; so it follows the fold
 // wherever that goes. Of the gutter that is where the page has them anyway.
 struct NamedGround {
     std::string text;                  // as the canonical document has it; empty: nothing is named
@@ -103,7 +102,7 @@ struct Structure {
     bool dropped = false;             // taken out by `fix --drop`
     bool added = false;               // by an edit: nothing of it stands in the text
     std::vector<DesignPoint> points;  // in the order of the element's row
-    // The other values, in the order of the row's parameters; what lies behind the end was not given.
+    // The other values, in the order of the row's parameters; those past the end were not given.
     std::vector<Argument> arguments;
     ParentFold fold;                   // what it stands on, fold or seam, unless it stands on a plate
     std::optional<ParentPlate> plate;  // then `fold` has no meaning

@@ -71,8 +71,8 @@ struct DiagnosticPolicy {
 struct Allowance {
     std::string code;  // of code_table()
     Place place;       // where it is written
-    // The element it is for, from its first character to behind its last. Concerned are findings with a place
-    // of theirs, or a related one, in there, or with its id. nullopt: it is for the whole file.
+    // The element it is for, from its first character to behind its last. It covers findings that have their
+    // place or a related one in there, or that name the element. nullopt: it is for the whole file.
     std::optional<std::pair<Place, Place>> within;
     std::string element;  // that element's id; empty: none, or the whole file
     bool used = false;    // a finding was concerned, even if it stays because the policy denies it
@@ -87,7 +87,8 @@ class Diagnostics {
     Diagnostics(std::string file, DiagnosticPolicy policy);
 
     // Adds a finding. `code` must stand in code_table(); an unknown one is a broken invariant and aborts.
-    // The reference stays valid as long as this object.
+    // The reference stays valid as long as this object; that of a finding after the 100th of its code and
+    // severity stands for the next one of these, too, whatever its code.
     Diagnostic& add(Severity severity, std::string_view code, Place place, std::string message);
     Diagnostic& error(std::string_view code, Place place, std::string message);
     Diagnostic& warning(std::string_view code, Place place, std::string message);
@@ -113,8 +114,9 @@ class Diagnostics {
     [[nodiscard]] const std::vector<Allowance>& allowances() const { return allowances_; }
     // Everything, worst first; within a severity by place, then as found.
     [[nodiscard]] std::vector<Diagnostic> sorted() const;
-    // All repairs (diagnostics with a change) in the order they were made, allowed ones included: a repair is
-    // never silent, the report names it even where the user does not want to be told.
+    // The repairs (diagnostics with a change) in the order they were made, allowed ones included: the report
+    // names a repair even where the user does not want to be told. At most 100 of one code and severity;
+    // sorted() counts the others.
     [[nodiscard]] std::vector<Diagnostic> repairs() const;
 
  private:

@@ -17,7 +17,8 @@ struct Source {
     std::string name;
     std::string text;
 
-    // The name's last part without its suffix: "designs/castle.xml" is "castle", standard input "stdin".
+    // The name's last part without its suffix: "designs/castle.xml" is "castle", so is
+    // "castle.assembly.json", and standard input "stdin".
     [[nodiscard]] std::string stem() const;
 };
 

@@ -37,7 +37,7 @@ struct FlatFolding {
 // are no sheet. The last has no order and is no proof of none. A sheet that folds flat is told of as a
 // remark, `folds-flat`; corners that were moved are told as `corners-refined`. Cost: near linear in the lines
 // that the panels' edges make where they lie; at most cubic in the panels that lie on one place; the search
-// stops after some seconds.
+// stops after 60 million steps, which take some seconds.
 std::optional<FlatFolding> fold_flat(const CreasePattern& pattern, const FoldOptions& options,
                                      Diagnostics& diagnostics);
 

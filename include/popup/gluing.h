@@ -55,8 +55,9 @@ struct GluingStep {
     Lie lie = Lie::open;
     std::vector<Bond> ring;       // tabs of the piece that are glued on itself, before anything else
     std::vector<BondTurn> turns;  // in their order, at least one; the first is pressed
-    std::vector<Bond> under;  // those of the turns above which something stands that is glued already, and
-                              // that the piece does not stand on
+    // Bonds of the turns that lie below something glued before, which does not carry the piece: hard to
+    // reach.
+    std::vector<Bond> under;
     std::vector<std::pair<Bond, int>> onto;  // those of its tabs whose targets lie under a piece (by number)
                                              // that is glued flat there already: they are glued onto it
 };
@@ -76,10 +77,9 @@ struct GluingOrder {
 // * what a piece bears alone, on one plane or on two that share a fold of it, is glued on it before it is
 //   glued on itself (a sub-assembly), deepest first;
 // * what is glued flat is there before what rises out of it, for it could not be laid down round a wall; of
-// two
-//   flat pieces that lie over one another the one that the assembly names first;
+//   two flat pieces that lie over one another the one that the assembly names first;
 // * where a piece, or what it bears, stands above a target of another, or its feet enclose it, the other
-//   comes first, unless the two need each other in a circle of such wants; then `under` names the bond;
+//   comes first, unless these rules go round in a circle; then `under` names the bond;
 // * else backs come first (while nothing stands on the front), then what is glued while the card lies open,
 //   then the small before the large, then the order of the assembly. The same input gives the same order.
 // "Above" means in the way of whoever looks at the target from straight before it: most of some places of the

@@ -49,7 +49,7 @@ std::optional<SheetChoice> parse_sheet(std::string_view text);
 struct Rotation {
     int count = 4;
 };
-// Parses none, 180, 90, any, or a count N ≥ 1.
+// Parses none, any, or one of two numbers of degrees, 180 and 90; any other number N ≥ 1 is a count of turns.
 std::optional<Rotation> parse_rotation(std::string_view text);
 
 // Sheets of one size, and how many there are.
@@ -145,8 +145,8 @@ struct Layout {
 // Places all copies of all pieces by their outlines; each inside the margin, no two closer than the spacing,
 // as nest() promises. Errors name piece, size and usable sheet (`piece-too-large`), or what else stands in
 // the way: `sheet-too-small`, `sheet-too-large` for the bed, `too-many-pieces`, `unknown-piece`,
-// `lock-impossible`, `stock-used-up`, `group-too-large`. Where there is one piece in all, its name is taken
-// off it: there is no other that it tells it from. Of no pieces there is a layout without sheets.
+// `lock-impossible`, `stock-used-up`, `group-too-large`. A single piece has no label with its name. Of
+// no pieces there is a layout without sheets. Precondition: silhouettes have an area.
 std::optional<Layout> lay_out(std::vector<DesignPattern> designs, const LayoutOptions& options,
                               Diagnostics& diagnostics);
 

@@ -47,7 +47,8 @@ struct ParameterInfo {
     std::string_view about;  // one line
     bool required = false;
     PointPage page = PointPage::extra;  // of a path or of points, where they name none
-    // What it changes places with when left and right do; of a choice between the two, itself: its words do.
+    // The parameter that mirroring swaps it with; of a choice between left and right, itself, for its words
+    // swap.
     std::string_view partner = {};
     double least = 0.0, most = 0.0;                // of a length (mm) or number, both included
     double standard = 0.0;                         // where none is given
@@ -89,7 +90,7 @@ struct MeasureInfo {
     // Of a new element: this share of its fold's length, and this besides.
     double share = 0.0, standard = 0.0;
     Said said = Said::always;
-    // By how much to change what is there: it is always measured as 0.
+    // A change of what is there, as a turn: it always measures 0.
     bool relative = false;
     std::span<const std::string_view> words = {};  // of a choice
 };

@@ -22,10 +22,10 @@ enum class Solver {
                   // cross-check
 };
 
-// What an examination has found, for the next one of the same design, of which a little has changed since: a
-// pair of plates that are as they were has the findings that it had, and what moves as it did is not taken
-// through the sweep again. Results are those of an examination without one, but for Examination::pairs and
-// poses, which count what was looked at at any time, and `locks` that only finer steps of others would show.
+// What an examination has found, for the next one of the same design, of which a little has changed since. A
+// pair of plates that did not change keeps its findings, and what moves as it did is not taken through the
+// sweep again. Results are those of an examination without a memory, but for Examination::pairs and poses,
+// which count what was looked at at any time, and `locks` that only finer steps of others would show.
 //
 //     ExaminationMemory memory;
 //     MotionOptions options;
@@ -34,8 +34,9 @@ enum class Solver {
 //     simulate(changed, options, more);                  // looks at what has changed
 //     fmt::print("{} of {} pairs", memory.share().examined_pairs, memory.share().pairs);
 //
-// Another design, other options, or a fold that moves by a law, cost a whole examination. Memory: some
-// kilobytes a plate. Movable; one caller at a time.
+// Another design, other options, a fold that moves by a law, folds that all run one way, or a change of more
+// than a quarter of the plates, cost a whole examination. Memory: some kilobytes a plate. Movable; one caller
+// at a time.
 class ExaminationMemory {
  public:
     ExaminationMemory();
@@ -68,39 +69,39 @@ struct MotionOptions {
     // Of earlier examinations of the design, looked up and renewed. Null: there is none. Not used where folds
     // are put in an order. It must outlive the call.
     ExaminationMemory* memory = nullptr;
-    // Asked of an element that sticks out of the closed card, by so many mm: a size that was tried and keeps
-    // it inside, as the words of a hint; nullopt: none does. Empty: nobody knows of sizes.
+    // Called for an element that sticks out of the closed card by `by_mm`. Returns a size that was tried and
+    // keeps it inside, in the words of a hint; nullopt: none does. Empty: hints name no size.
     std::function<std::optional<std::string>(const std::string& element, double by_mm)> fitting_size = {};
-    // Asked of a move of an element that was tried and would be told, likewise: whether the design, changed
-    // so, is the one that was tried. Others are not told. Empty: all are.
+    // Called for a move of an element that was tried and would be told. Returns whether the design, changed
+    // so, is the one that was tried; if not, the move is not told. Empty: all moves are told.
     std::function<bool(const std::string& element, Vec2 by)> move_holds = {};
-    // Asked of a move of an element that a hint tells, by so many mm on the page of its left driving plate:
-    // what to type for it. nullopt: nothing does it. Empty: nobody knows of edits.
+    // Called for a move of an element that a hint tells, by so many mm on the page of its left driving plate.
+    // Returns what to type for it; nullopt: nothing does it. Empty: hints name no command.
     std::function<std::optional<std::string>(const std::string& element, Vec2 by)> move_command = {};
 };
 
 // Two plates that cross, from the first to the last angle of one contact (each to 0.001°).
 //
-// Plates cross where a common point of both lies further than 0.01 mm inside the edges of both, and the paper
-// round it, as far as it reaches in a circle on both, stands more than 0.0025 mm out of the other plate on
-// either side. So what touches along folds, seams, corners or cut edges, or lies flat on one another, does
-// not cross. Contact begins and ends where that is 0.0001 mm (below 1°, where all shrinks, that times the
-// angle in degrees), and plates that go wholly through each other between two angles, face to face, are in
-// contact there. Where a fold lies in a plate's plane, each of its two plates only touches that plate, and
-// yet the paper that is folded there may lie on both sides of it: a contact with either, `at_fold`.
+// Plates cross where they share a point more than 0.01 mm from every edge of both, and the largest disc of
+// paper round it that both have rises more than 0.0025 mm out of the other plate on either side. So what
+// touches along folds, seams, corners or cut edges, or lies flat on one another, does not cross. Contact
+// begins and ends where that is 0.0001 mm (below 1°, where all shrinks, that times the angle in degrees), and
+// plates that go wholly through each other between two angles, face to face, are in contact there. Where a
+// fold lies in a plate's plane, each of its two plates only touches that plate, and yet the paper that is
+// folded there may lie on both sides of it: a contact with either, `at_fold`.
 struct Contact {
     int a = 0, b = 0;       // plates, a < b
-    double from_deg = 0.0;  // 0 when they still cross at the smallest angle looked at
+    double from_deg = 0.0;  // Sweep::from_deg when they still cross at the smallest angle looked at
     double to_deg = 0.0;    // the first contact as the card closes
     // The shortest way by which one must move, square to itself or to the other, until the two are apart; at
     // the angle where that is longest.
     double depth_mm = 0.0;
     double deepest_deg = 0.0;
     double excess_mm = 0.0;  // the most that `longer` reaches through the other, measured on its own paper
-    int longer = 0;          // a or b: the one that reaches less far through the other
-    Vec3 point;              // of both, at to_deg
-    Vec2 corner{};           // of `longer`, on its page: what reaches furthest through, at deepest_deg
-    bool at_fold = false;    // `longer` goes through a fold of the other: depth and excess are 0
+    int longer = 0;  // a or b: the one that needs to be shortened the least; it is too long by excess_mm
+    Vec3 point;      // of both, at to_deg
+    Vec2 corner{};   // of `longer`, on its page: what reaches furthest through, at deepest_deg
+    bool at_fold = false;  // `longer` goes through a fold of the other: depth and excess are 0
 };
 
 // Two plates that cannot be told apart or together within the work allowed.
@@ -163,8 +164,8 @@ struct Examination {
     std::size_t poses = 0;  // poses of pairs that were looked at
 };
 
-// Plates that the opening does not force, and that hang together: where they are is not settled by how far
-// the card is open, although every fold and seam is. Pushed by a finger they move, and the card stands still.
+// Plates that hang together and can still move while the card stands still at an opening, as a finger that
+// pushes them shows: the opening does not force them.
 struct FreePlates {
     std::vector<int> plates;  // ascending
     int ways = 1;             // how many: so many numbers settle, besides the opening, where the plates are
@@ -262,7 +263,7 @@ class IterativePlacer {
 };
 
 // Largest distance between the two images of a hinge's ends over all hinges of the assembly.
-// *worst (if given) is the index of that hinge.
+// *worst (if given) is set to the index of that hinge, and stays as it was where the distance is 0.
 double closure_error(const Assembly& assembly, std::span<const Frame> frames, int* worst = nullptr);
 
 // Certifies every pair of plates, over the whole opening, to be clear of each other or finds where they
@@ -279,20 +280,21 @@ Examination examine_folded(Assembly assembly, const MotionOptions& options);
 // in at most one of the groups, and groups move independently of one another. A floating layer on a pillar
 // and two walls, all parallel and of one height, is one group of five plates and one way.
 //
-// Known from the rank of the loop closures' Jacobian (motion/forced.h has the formula): nothing is asked of
-// elements or kinds of joints, but what the hinges, glued areas and drives of the assembly hold. A plate is
+// Known from the rank of the loop closures' Jacobian (motion/forced.h has the formula), which is made of the
+// hinges, glued areas and drives alone, whatever elements and kinds of joints they belong to. A plate is
 // named when it is free at each of three openings that have nothing to do with each other, for at single ones
 // a linkage may lie so that it is free for a moment; `ways` is the least of theirs. Thickness and bending of
 // paper, and friction, force nothing. Openings that a joint cannot reach are left out. Cost: near linear in
 // plates, as long as not many of them are free together.
 std::vector<FreePlates> free_plates(const Assembly& assembly);
 
-// Simulates and judges. Errors name the element that is not flat at 0° (`not-flat`), whose seams do not meet
-// (`seam-open`), that jumps to its mirror image (`jumps`), or that stops before the card is open (`locks`):
-// at any angle, not only at those asked for. Warnings: `collision`, `protrusion`, `layer-order`,
-// `clearance-low`; remarks: `undecided`, and `not-forced` for each of free_plates(), which is looked at
-// whether or not the motion is examined. With Solver::iterative only figures are taken; its inaccuracy is not
-// held against the design, and nothing is examined. Cost: angles × plates, and that of examine().
+// Simulates and judges. Errors name the element that is not flat where the sweep begins (`not-flat`), whose
+// seams do not meet at an angle asked for (`seam-open`), or that, at any angle, jumps to its mirror image
+// (`jumps`) or stops before the card is open (`locks`). Warnings: `collision`, `lies-on-another`,
+// `across-fold`, `protrusion`, `layer-order`, `clearance-low`; remarks: `undecided`, and `not-forced` for
+// each of free_plates(), which is looked at whether or not the motion is examined. With Solver::iterative
+// only figures are taken; its inaccuracy is not held against the design, and nothing is examined. Cost:
+// angles × plates, and that of examine().
 std::optional<Motion> simulate(const Assembly& assembly, const MotionOptions& options,
                                Diagnostics& diagnostics);
 

@@ -73,13 +73,14 @@ struct NestEffort {
     // Units in all, beyond which no shorter last sheet is looked for. Fewer sheets are looked for as ever.
     double shortening = HUGE_VAL;
     std::uint64_t seed = 0;
-    int threads = 1;  // ≥ 1
+    int threads = 1;  // ≥ 1; the search uses two at most
     // Asked, once for each thread beside the caller's that the search can use, whether it may be started; it
     // answers at once. May be empty: yes. Each yes is answered with one call of `thread_ended` when the
     // search is over.
     std::function<bool()> may_start_thread = {};
     std::function<void()> thread_ended = {};
-    std::optional<double> seconds = {};  // look for this long instead: the layout then depends on the clock
+    // Looks for this long instead, whatever `shortening` says: the layout then depends on the clock.
+    std::optional<double> seconds = {};
     // Ends the search as soon as it is set: the best layout so far is the result. May be null.
     const std::atomic<bool>* stop = nullptr;
     // Called now and then, from the calling thread; may be empty.

@@ -61,8 +61,8 @@ enum class Legend {
 
 struct OutputOptions {
     Legend legend = Legend::never;
-    double fps =
-        0.0;  // scene: > 0 adds keys so that there are at least this many a second; of animations 0 is 15
+    double fps = 0.0;  // scene: > 0 adds keys so that there are at least this many a second; of animations 0
+                       // is 15, and no more than 50 (.gif) or 100 (.webp) are made
     double duration_s = 4.0;                    // scene: length of the animation, > 0
     Profile profile = profile_table().front();  // how lines of sheets are drawn
     bool backs = false;  // sheets have printed backs: colours on both sides, glue targets and labels there;
@@ -104,11 +104,11 @@ double margin_needed(const OutputOptions& options);
 bool can_tile(const OutputOptions& options, Diagnostics& diagnostics);
 
 // What these options and the designs ask for and the sheets do not have. Remark: `glue-marks-left-out`, of
-// targets and numbers that nothing prints or marks. Warnings: `too-few-joints`, of pieces whose outer cuts
-// have no room for two, and `legend-left-out`, of sheets without room for one that is always wanted. Remark:
-// `prints-left-out`, of
-// pictures, of printed texts, of marks, of the bar, of a legend that is always wanted, and of backs; under
-// print_and_cut only of what cut files lack. Colours of plates and drawn lines are left out without a word.
+// targets and numbers that nothing prints or marks, and `backs-to-mark`. Warnings: `too-few-joints`, of
+// pieces whose outer cuts have no room for two, and `legend-left-out`, of sheets without room for one that is
+// always wanted. Remark: `prints-left-out`, of pictures, of printed texts, of marks, of the bar, of a legend
+// that is always wanted, and of backs; under print_and_cut only of what cut files lack. Colours of plates and
+// drawn lines are left out without a word.
 void examine_prints(const Layout& layout, const OutputOptions& options, Diagnostics& diagnostics);
 
 // One file of a format: `suffix` goes between the stem and the format's own suffix ("-2": "card-2.svg").

@@ -111,12 +111,12 @@ double shared_seams(const Assembly& assembly, const std::string& element, const 
 // one place, and `tab-too-small` of a tab that has under 3 mm of depth along half its seam or more.
 // Guarantees: cuts chained into as few paths as possible, but those of a piece's own `paper`, which are its
 // rings and slits as they are, inner ones before outer ones; no segment twice; every target inside its plate.
-// Cost: near linear in lines.
+// Never nullopt: it is a stage like others. Cost: near linear in lines.
 std::optional<Pattern> make_pattern(const Assembly& assembly, const PatternOptions& options,
                                     Diagnostics& diagnostics);
 
-// Finds what make_pattern() finds, in the same order, for who needs no pattern. Cost: that of the tabs alone;
-// no piece is drawn.
+// Finds what make_pattern() finds, in the same order, for callers that need no pattern. Cost: that of the
+// tabs alone; no piece is drawn.
 void judge_tabs(const Assembly& assembly, const PatternOptions& options, Diagnostics& diagnostics);
 
 }  // namespace popup

@@ -6,8 +6,9 @@
 //
 //     SuggestOptions options;
 //     const std::optional<Suggestions> found = suggest_joins(pattern, options, diagnostics);
-//     const std::optional<Refined> box = refine_shape(pattern, {options.fold, {found->rows[0].join}},
-//     diagnostics); if (box && box->closes) fold_sheet(box->pattern, {}, diagnostics);  // ends closed
+//     const RefineOptions refine{options.fold, {found->rows[0].join}};
+//     const std::optional<Refined> box = refine_shape(pattern, refine, diagnostics);
+//     if (box && box->closes) fold_sheet(box->pattern, {}, diagnostics);  // ends closed
 #pragma once
 
 #include <array>
@@ -164,19 +165,19 @@ inline constexpr std::size_t kMostSuggestions = 200;
 //   nearest. Whether glue holds it there, or it is tucked in or folded under, no drawing says, so that "all"
 //   does not accept it. Panels that are called glue flaps and glue corners are known to be glued.
 //
-// What two corners, or two panels, would leave open by more than a twentieth of near_mm is not suggested, nor
-// what can come hardly nearer than it is, as panels that are a board apart, nor what is joined already, by a
-// fold or because it is in place to 0.01 mm; but for glue. The same drawing has the same numbers. nullopt as
-// refine_shape(). Cost: near linear in corners, as long as few are near one another, and a refinement of the
-// panels in between for each suggestion.
+// Not suggested is what would stay open by more than a twentieth of near_mm, what refinement can hardly bring
+// nearer, as panels that are a board apart, and, but for glue, what is joined already, by a fold or in place
+// to 0.01 mm. The same drawing has the same numbers. nullopt as refine_shape(). Cost: near linear in corners,
+// as long as few are near one another, and a refinement of the panels in between for each suggestion.
 std::optional<Suggestions> suggest_joins(const CreasePattern& pattern, const SuggestOptions& options,
                                          Diagnostics& diagnostics);
 
 // Pairs of panels, by their names, that pass through each other.
 using Crossings = std::set<std::pair<std::string, std::string>>;
 
-// What turns a fold further, with what has met, is accepted by its name alone: the strip of a roll that comes
-// undone turns by 90°, tabs that are drawn to one another by 47°; but the flaps of a pointed lid by 45°, too.
+// "all" leaves out joins that turn a fold further than this; their names accept them. The strip of a roll
+// that comes undone turns by 90°, tabs that are drawn to one another by 47°; but the flaps of a pointed lid
+// by 45°, too.
 inline constexpr double kMostTurnDeg = 15.0;
 
 struct AcceptOptions {
@@ -193,7 +194,7 @@ struct AcceptOptions {
 // that what is named turns further by itself, from there), and brings no crossing that was not there. Then
 // those of Suggestions::met that leave nothing open either, so that what is joined does not part what has
 // met. The remark `join-left` names those that do not fit, of "all" and of what is alike; what is named
-// itself is accepted whatever it leaves. What was accepted before under its number is so already. Error
+// itself is accepted whatever it leaves. What was accepted before is not accepted twice. Error
 // `no-such-suggestion`: nullopt.
 std::optional<std::vector<Join>> accept_joins(const CreasePattern& pattern, const SuggestOptions& options,
                                               const Suggestions& found, std::string_view words,

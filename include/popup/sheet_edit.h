@@ -36,8 +36,8 @@ struct EditedSheet {
     struct Line {
         std::vector<Vec2> points;  // as many as it had
         bool moved = false;
-        // Corners of the sheet that lay on a stretch of it, and do no more: it goes through them, in this
-        // order, between the point of that number and the next.
+        // Corners of the sheet that lay on the line, and have left it. It bends through them, in this order,
+        // between the point of that number and the next.
         std::vector<std::pair<int, Vec2>> through;
         // Not empty: what one line was cannot be one line any more, because what lies on its two sides goes
         // apart. These are all the edges that it stood for.
@@ -72,11 +72,11 @@ struct EditedSheet {
 // Errors, and nullopt: `bad-edit` (there is no such vertex, edge or panel), `edit-refused` (a panel would
 // have to bend, to have no area, or to lie over another on the sheet; the folds around a corner or a hole
 // would not lie flat; what met would not meet again, by more than 0.01 mm, however the folds are folded; a
-// glue flap would be as much further from what it lies on, or lie beside it), with the place of a crease of
-// that panel; those of rough shapes (`not-refined`, fold_sheet()'s). The remark `folds-turn` says that folds
-// have to be folded otherwise than the drawing said for it to close; its lines have the angles, but where the
-// options end the motion before. Cost: some sparse factorisations with three unknowns a vertex, and near
-// linear in corners.
+// glue flap would be more than 0.01 mm further from what it lies on, or lie beside it), with the place of a
+// crease of that panel; those of rough shapes (`not-refined`, fold_sheet()'s). The remark `folds-turn` says
+// that folds have to be folded otherwise than the drawing said for it to close; its lines have the angles,
+// but where the options end the motion before. Cost: some sparse factorisations with three unknowns a vertex,
+// and near linear in corners.
 std::optional<EditedSheet> edit_sheet(const CreasePattern& pattern, const FoldOptions& options,
                                       const std::vector<Join>& joins, const SheetEdit& edit,
                                       Diagnostics& diagnostics);

@@ -75,7 +75,7 @@ struct Traced {
     double height_mm = 0.0;
     std::vector<TracedShape> shapes;  // never none; from the top of the picture down
     LeftOut specks, filled_holes, others;
-    std::vector<Neck> necks;      // the narrowest first
+    std::vector<Neck> necks;      // the narrowest first, at most 100
     std::size_t thin_shapes = 0;  // that are nowhere as wide as the least feature
 };
 
@@ -84,8 +84,9 @@ struct Traced {
 // pixel, outlines stray by at most a pixel from the borders of pixels, but for what is said to be left out
 // and for sharp tips, which may be up to three pixels shorter; else they stray by about as much as
 // `simplify_mm` more. Pixels that touch at a corner belong together. Coordinates are rounded to 0.001 mm.
-// Adds `trace-specks`, `trace-holes-filled`, `trace-others`, `trace-thin`; nullopt after `trace-empty` or
-// `trace-too-complex`. Cost: near linear in pixels and in the length of outlines.
+// Adds `trace-specks`, `trace-holes-filled`, `trace-others`, `trace-thin`, `trace-few-clear`; nullopt after
+// `trace-empty` or `trace-too-complex`. Precondition: the mask has a pixel. Cost: near linear in pixels and
+// in the length of outlines.
 std::optional<Traced> trace_outlines(const PixelMask& mask, const TraceOptions& options,
                                      Diagnostics& diagnostics);
 

@@ -56,7 +56,7 @@ struct OutputPlan {
 };
 
 // Makes the layout suit the outputs: no sheet is larger than the bed of the profile's machine, and the margin
-// has room for registration marks and the bar.
+// has room for registration marks and the bar. Sets options.layout.bed.
 void fit_layout(CompileOptions& options);
 
 // Finds the format of each output. Nullopt with one `unwritable-output` error: a suffix names no format, two

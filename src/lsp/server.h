@@ -2,9 +2,12 @@
 // who drives it (session.h) brings all of these.
 //
 //     Server server({options, policy});
-//     server.receive(R"({"jsonrpc": "2.0", "id": 1, "method": "initialize", "params": {"capabilities":
-//     {}}})"); while (server.step()) {} for (const std::string& body : server.take_sent()) ... if (const
-//     std::optional<Work> work = server.next_work(Depth::check, now)) server.finish(*work, run(*work));
+//     server.receive(R"({"jsonrpc": "2.0", "id": 1, "method": "initialize", "params": {}})");
+//     while (server.step()) {
+//     }
+//     for (const std::string& body : server.take_sent()) send(body);
+//     const std::optional<Work> work = server.next_work(Depth::check, now);
+//     if (work) server.finish(*work, run(*work));
 #pragma once
 
 #include <chrono>

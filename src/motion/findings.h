@@ -12,7 +12,7 @@ namespace popup {
 
 // One warning for two elements that collide, for two that lie on one another, for an element that sticks out,
 // for a closed card without an order of layers, for two elements that come too close; one remark for two that
-// could not be told apart. Returns the moves that hints tell of.
+// could not be told apart. Returns the moves that hints tell of, of collisions and of what lies on another.
 std::vector<FreeingMove> report_findings(const Assembly& assembly, const Linkage& linkage,
                                          std::span<const PlateShape> shapes, const Examination& found,
                                          const MotionOptions& options, Diagnostics& diagnostics);

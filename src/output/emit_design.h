@@ -14,9 +14,13 @@ struct Design;
 //    fold: {page, begin: {at, page, place, changed}, end: {…}, place},
 //    left, right, left_tab, right_tab,
 //    arguments: {name: word, number (mm), path data or points}}],   left out when there are none
-//  lines: [{page, thickness_pt, color, points: [{at, page, place, changed}], dropped, place}]}
-// Of a structure on a plate, plate: {page, at: {at, page, place, changed}} stands in place of fold.
-// Byte ranges of the source are left out: they are the reader's own. Numbers are as emit.h has them.
+//  lines: [{page, thickness_pt, color, points: [{at, page, place, changed}], dropped, place}],
+//  opens_deg,      left out where it is 180
+//  orientation,    left out where it is guessed
+//  prints: [{kind: "area", "text" or "image", page, dropped, place, and what that kind has}]}   likewise
+// Of a structure on a plate, plate: {page, at: {at, page, place, changed}} stands in place of fold; of one
+// whose ground has a name, fold or plate is {on}; of one that names none, page stands in place of fold. Byte
+// ranges of the source are left out: they are the reader's own. Numbers are as emit.h has them.
 std::string emit_design(const Design& design);
 
 }  // namespace popup

@@ -10,11 +10,12 @@ namespace popup {
 
 // Members, in this order:
 //   collisions: [{plates: [a, b], from_deg, to_deg, angle_deg, depth_mm, deepest_deg, excess_mm, longer,
-//     point_mm: [x, y, z]}], angle_deg being to_deg, where the closing card first meets the collision;
-//   undecided_below_deg; undecided: [{plates, from_deg, to_deg}];
+//     at_fold, corner_mm: [x, y], point_mm: [x, y, z]}], angle_deg being to_deg, where the closing card first
+//     meets the collision;
+//   undecided_below_deg; decided_up_to_deg; undecided: [{plates, from_deg, to_deg}];
 //   clearance: [{plates, from_deg, to_deg, least_mm, least_deg, point_mm}], null when it was not asked for;
 //   protrusion_mm (the largest, 0 when there is none);
-//   protrusions: [{plate, by_mm, direction: [x, y, z], point_mm}];
+//   protrusions: [{plate, by_mm, direction: [x, y, z], point_mm, corner_mm}];
 //   max_layers; layer_order: [plate …], null when there is none; layer_cycle: [plate …], left out when empty;
 //   closed_thickness_mm, null when the paper's thickness is not known.
 // The same members, all null, when there is no examination. Plates go by name. Rounded: angles to 0.001°

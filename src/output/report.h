@@ -9,7 +9,8 @@
 namespace popup {
 
 // The report's structure:
-//   version, inputs: [{file, elements, plates, pieces, repairs, diagnostics, motion}], layout
+//   version, inputs: [{file, elements, plates, pieces, repairs, diagnostics, motion}], layout,
+//   cut (as cut_report() has it; null without a layout)
 // and, only where there are any, `outputs` (names of the other files of the run) and `diagnostics` (of the
 // run as a whole). `motion` has angles, max_closure_error_mm, flat_closed, flat_error_deg, `not_forced` as
 // not_forced_json() has it, left out where the opening forces every plate, and then the members of

@@ -17,8 +17,8 @@ struct CrewOptions {
 };
 
 // Calls work(0) to work(count - 1), each once, in the caller's thread and in others beside it. Whoever takes
-// a piece while others are left asks for one more thread. Returns when all is done; what `work` throws in the
-// caller's thread comes through after the others have ended, and in another thread ends the program.
+// a piece while others are left asks for one more thread. Returns when all is done. What `work` throws comes
+// through when all threads have ended; pieces that were not begun by then are left.
 void share_work(std::size_t count, const CrewOptions& options, const std::function<void(std::size_t)>& work);
 
 }  // namespace popup
