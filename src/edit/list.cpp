@@ -149,64 +149,50 @@ bool take_from_drawing(const ElementInfo& info, const PageFold& seen, Structure&
     return true;
 }
 
-}  // namespace
+// The length of which the measures of a new element are shares: that of --room, else of its fold, else of the
+// page. nullopt after an error.
+std::optional<double> size_wanted(Session& session, const Command& command, const PageFold& seen,
+                                  bool on_fold) {
+    if (const std::string* room = command.find("room")) return session.length("--room", *room);
+    return on_fold ? distance(seen.on_left.a, seen.on_left.b) : session.design.height_mm;
+}
 
-bool add(Session& session, const Command& command) {
-    const std::string& type = command.words.front();
-    const ElementInfo* info = find_element(type);
-    if (info == nullptr) {
-        std::vector<std::string_view> names;
-        for (const ElementInfo& row : element_table()) names.push_back(row.name);
-        const std::vector<std::string> near = nearest(type, names, 1);
-        return session.fail("bad-edit", fmt::format("there is no kind of element '{}'", shown(type)),
-                            near.empty() ? std::string("popupc list elements shows them all")
-                                         : fmt::format("perhaps '{}' is meant", near.front()));
-    }
-    Structure made;
-    const std::string* id = command.find("id");
-    if (id != nullptr && !check_id(session, *id)) return false;
-    const auto seen = stand(session, made, *info, command);
-    if (!seen) return false;
-    if (!made.plate && !info->grounds.page) info = &form_on(*info, *seen);
-    made.type = info->name;
-    made.id = id != nullptr ? *id : free_id(session.design, info->name);
-    made.id_given = true;
-    made.points.resize(info->points.size());
-    const bool on_fold = !made.plate && !info->grounds.page;
-    double size = on_fold ? distance(seen->on_left.a, seen->on_left.b) : session.design.height_mm;
-    const bool enlarge = on_fold && !command.has("room");
-    if (const std::string* room = command.find("room")) {
-        const auto given = session.length("--room", *room);
-        if (!given) return false;
-        size = *given;
-    }
+// Gives a new element the measures, and the sizes that it must have, that follow from the `size`. `enlarge`:
+// tabs and glued areas are made large enough to hold.
+std::vector<double> first_measures(const Session& session, const ElementInfo& info, const PageFold& seen,
+                                   double size, bool enlarge, Structure& made) {
+    const auto room = [&](std::string_view name) { return enlarge ? room_for(info, name, size) : size; };
     std::vector<double> measures;
-    for (const MeasureInfo& measure : info->measures)
-        measures.push_back(measure.share * (enlarge ? room_for(*info, measure.name, size) : size) *
-                               smaller_on(*info, measure.name, *seen) +
+    for (const MeasureInfo& measure : info.measures) {
+        measures.push_back(measure.share * room(measure.name) * smaller_on(info, measure.name, seen) +
                            measure.standard);
+    }
     if (made.plate && made.plate->on.owner == std::nullopt) {
         // In the middle of that half of the page, for the present.
-        if (const auto x = find_measure(*info, "x"))
+        if (const auto x = find_measure(info, "x"))
             measures[*x] = (made.plate->on.which == 1 ? 0.25 : -0.25) * session.design.width_mm;
     }
-    for (std::size_t i = 0; i < info->parameters.size(); ++i) {
-        const ParameterInfo& parameter = info->parameters[i];
-        if (parameter.kind == ParameterKind::length && parameter.required) {
-            const double room = enlarge ? room_for(*info, parameter.name, size) : size;
-            made.argument(i).value = std::clamp(kHeightShare * room, parameter.least, parameter.most);
-        }
+    for (std::size_t i = 0; i < info.parameters.size(); ++i) {
+        const ParameterInfo& parameter = info.parameters[i];
+        if (parameter.kind != ParameterKind::length || !parameter.required) continue;
+        made.argument(i).value =
+            std::clamp(kHeightShare * room(parameter.name), parameter.least, parameter.most);
     }
-    session.design.structures.push_back(made);
+    return measures;
+}
+
+// Sets what the command gives of the element. `given`: the measures that it gives. False after an error.
+bool set_given(Session& session, const Command& command, const ElementInfo& info, Structure& made,
+               std::vector<double>& measures, std::vector<bool>& given) {
+    session.design.structures.push_back(std::move(made));
     const std::size_t n = session.design.structures.size() - 1;
-    bool ok = true;
-    std::vector<bool> measured(measures.size(), false);
     const auto set = [&](std::string_view name, const std::string& value) {
         bool is_measure = false;
         const bool done = session.set_value(n, name, value, measures, is_measure);
-        if (is_measure) measured[*find_measure(*info, name)] = true;
+        if (is_measure) given[*find_measure(info, name)] = true;
         return done;
     };
+    bool ok = true;
     for (std::size_t i = 0; ok && i < command.options.size(); ++i) {
         const auto& [name, value] = command.options[i];
         if (name != "id" && name != "on" && name != "page" && name != "room") ok = set(name, value);
@@ -220,12 +206,46 @@ bool add(Session& session, const Command& command) {
     }
     made = std::move(session.design.structures.back());
     session.design.structures.pop_back();
-    if (!ok) return false;
-    if (made.plate) put_on_plate(session, made, *info, measured, measures);
+    return ok;
+}
+
+bool no_such_element(Session& session, const std::string& type) {
+    std::vector<std::string_view> names;
+    for (const ElementInfo& row : element_table()) names.push_back(row.name);
+    const std::vector<std::string> near = nearest(type, names, 1);
+    return session.fail("bad-edit", fmt::format("there is no kind of element '{}'", shown(type)),
+                        near.empty() ? std::string("popupc list elements shows them all")
+                                     : fmt::format("perhaps '{}' is meant", near.front()));
+}
+
+}  // namespace
+
+bool add(Session& session, const Command& command) {
+    const std::string& type = command.words.front();
+    const ElementInfo* info = find_element(type);
+    if (info == nullptr) return no_such_element(session, type);
+    Structure made;
+    const std::string* id = command.find("id");
+    if (id != nullptr && !check_id(session, *id)) return false;
+    const auto seen = stand(session, made, *info, command);
+    if (!seen) return false;
+    if (!made.plate && !info->grounds.page) info = &form_on(*info, *seen);
+    made.type = info->name;
+    made.id = id != nullptr ? *id : free_id(session.design, info->name);
+    made.id_given = true;
+    made.points.resize(info->points.size());
+    const bool on_fold = !made.plate && !info->grounds.page;
+    const auto size = size_wanted(session, command, *seen, on_fold);
+    if (!size) return false;
+    std::vector<double> measures =
+        first_measures(session, *info, *seen, *size, on_fold && !command.has("room"), made);
+    std::vector<bool> given(measures.size(), false);
+    if (!set_given(session, command, *info, made, measures, given)) return false;
+    if (made.plate) put_on_plate(session, made, *info, given, measures);
     const bool by_hand = std::any_of(made.arguments.begin(), made.arguments.end(), is_drawn);
-    const bool sound = !by_hand || take_from_drawing(*info, *seen, made, measured, measures);
+    const bool sound = !by_hand || take_from_drawing(*info, *seen, made, given, measures);
     const auto drawn =
-        sound ? shaped(*info, *seen, 1, Session::points_of(made), made.arguments, measures, measured)
+        sound ? shaped(*info, *seen, 1, Session::points_of(made), made.arguments, measures, given)
               : std::nullopt;
     if (!drawn) {
         return session.fail("bad-edit", fmt::format("no {} has such measures", info->name),
