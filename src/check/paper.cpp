@@ -212,6 +212,23 @@ bool PaperMap::seam_near(int page_number, const Ring& ring) const {
     });
 }
 
+bool PaperMap::is_clear(int page_number, const Box& box) const {
+    std::vector<int> found;
+    pages_[static_cast<std::size_t>(page_number)].query(box, found);
+    return found.empty();
+}
+
+bool PaperMap::has_paper(int plate, int page_number, Vec2 at) const {
+    if (!contains(outlines_[static_cast<std::size_t>(plate)], at)) return false;
+    const PageEdges& page_edges = pages_[static_cast<std::size_t>(page_number)];
+    std::vector<int> found;
+    page_edges.cut_boxes.query({at, at}, found);
+    return std::none_of(found.begin(), found.end(), [&](int number) {
+        const auto& [owner, ring] = page_edges.cuts[static_cast<std::size_t>(number)];
+        return owner == plate && contains({ring, {}}, at);
+    });
+}
+
 void PaperMap::owners_near(int page_number, const Ring& ring, std::vector<int>& owners) const {
     if (page_number < 0 || static_cast<std::size_t>(page_number) >= pages_.size() || ring.size() < 3) return;
     const PageEdges& page_edges = pages_[static_cast<std::size_t>(page_number)];

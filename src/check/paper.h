@@ -35,6 +35,11 @@ class PaperMap {
     [[nodiscard]] std::vector<int> glued_near(int page, const Box& box) const;
     // Whether a seam, or the border of a glued area, lies on the page within or on the ring.
     [[nodiscard]] bool seam_near(int page, const Ring& ring) const;
+    // Whether nothing ends, is cut or is glued on the page in the box, edges of it included: each plate has
+    // paper under all of the box, or under nothing of it.
+    [[nodiscard]] bool is_clear(int page, const Box& box) const;
+    // Whether the point (page coordinates) lies on the plate, off what has been cut out of it.
+    [[nodiscard]] bool has_paper(int plate, int page, Vec2 at) const;
     // The owners of what ends, is cut or is glued on the page within the ring, or too near to it; each
     // perhaps several times.
     void owners_near(int page, const Ring& ring, std::vector<int>& owners) const;

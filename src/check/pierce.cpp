@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <optional>
+#include <utility>
 
 #include "base/geometry/regions.h"
 #include "base/nth.h"
@@ -75,14 +78,9 @@ double longest_left(const Fold& fold, const std::vector<Pierced::Span>& lost) {
     return std::max(most, fold.length() - at);
 }
 
-}  // namespace
-
-Pierced pierce(const Sheet& sheet, int page, const Ring& ring) {
-    const double around = sheet.tolerances.paper_mm - sheet.tolerances.rounding_mm;
-    Box box = bounds(ring);
-    box.min = box.min - Vec2{around, around};
-    box.max = box.max + Vec2{around, around};
-    const std::vector<int> plates = sheet.plates.in(page, box);
+// Whether the hole, widened by so much, lies on the plates; says where not.
+std::optional<Pierced> leaves_page(const Sheet& sheet, const std::vector<int>& plates, const Ring& ring,
+                                   double around) {
     std::vector<Polygon> sheets;
     sheets.reserve(plates.size());
     for (const int plate : plates) sheets.push_back(nth(sheet.skeleton.draft.plates, plate).outline);
@@ -98,6 +96,47 @@ Pierced pierce(const Sheet& sheet, int page, const Ring& ring) {
             fmt::format("it comes nearer than {} to an edge of the page", mm(sheet.tolerances.paper_mm)),
             "move it away from the edge, or make it smaller");
     }
+    return std::nullopt;
+}
+
+// Adds the plates that lose paper; says which would be in parts or gone.
+std::optional<Pierced> leaves_parts(const Sheet& sheet, const std::vector<int>& plates, const Ring& ring,
+                                    Pierced& made) {
+    const std::vector<Polygon> hole{{ring, {}}};
+    for (const int plate : plates) {
+        const std::vector<Polygon> paper = paper_of(sheet.skeleton, plate, 0.0);
+        if (area(intersect(paper, hole)) <= kSpeckMm2) continue;
+        made.plates.push_back(plate);
+        std::vector<Polygon> left = subtract(paper, hole);
+        std::erase_if(left, [](const Polygon& part) { return area(part) <= kSpeckMm2; });
+        if (left.size() <= 1 && !left.empty()) continue;
+        return refused("hole-off-piece",
+                       left.empty()
+                           ? fmt::format("it leaves nothing of \"{}\"", name_of(sheet, plate))
+                           : fmt::format("it cuts \"{}\" into {} parts", name_of(sheet, plate), left.size()),
+                       "make it smaller, so that every part of the card stays in one piece");
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+Pierced pierce(const Sheet& sheet, int page, const Ring& ring) {
+    const double around = sheet.tolerances.paper_mm - sheet.tolerances.rounding_mm;
+    Box box = bounds(ring);
+    box.min = box.min - Vec2{around, around};
+    box.max = box.max + Vec2{around, around};
+    const std::vector<int> plates = sheet.plates.in(page, box);
+    // Most holes have nothing but paper round them, of one plate: that takes no look at all the others.
+    const Vec2 at = ring.front();
+    const bool alone = std::abs(signed_area(ring)) > kSpeckMm2 && sheet.paper.is_clear(page, box) &&
+                       std::any_of(plates.begin(), plates.end(), [&](int plate) {
+                           return contains(nth(sheet.skeleton.draft.plates, plate).outline, at);
+                       });
+    if (!alone) {
+        if (auto fault = leaves_page(sheet, plates, ring, around)) return std::move(*fault);
+    }
+    const std::vector<Polygon> hole{{ring, {}}};
     // The border of an area may be far away: what lies inside of it is found by the area itself.
     for (const int number : sheet.paper.glued_near(page, bounds(ring))) {
         const GluedArea& glued = nth(sheet.skeleton.draft.glued_areas, number);
@@ -117,18 +156,11 @@ Pierced pierce(const Sheet& sheet, int page, const Ring& ring) {
                        "move it off what is glued to the page");
     }
     Pierced made;
-    for (const int plate : plates) {
-        const std::vector<Polygon> paper = paper_of(sheet.skeleton, plate, 0.0);
-        if (area(intersect(paper, hole)) <= kSpeckMm2) continue;
-        made.plates.push_back(plate);
-        std::vector<Polygon> left = subtract(paper, hole);
-        std::erase_if(left, [](const Polygon& part) { return area(part) <= kSpeckMm2; });
-        if (left.size() <= 1 && !left.empty()) continue;
-        return refused("hole-off-piece",
-                       left.empty()
-                           ? fmt::format("it leaves nothing of \"{}\"", name_of(sheet, plate))
-                           : fmt::format("it cuts \"{}\" into {} parts", name_of(sheet, plate), left.size()),
-                       "make it smaller, so that every part of the card stays in one piece");
+    if (alone) {
+        std::copy_if(plates.begin(), plates.end(), std::back_inserter(made.plates),
+                     [&](int plate) { return sheet.paper.has_paper(plate, page, at); });
+    } else if (auto fault = leaves_parts(sheet, plates, ring, made)) {
+        return std::move(*fault);
     }
     std::vector<int> seen;
     for (const FoldMatch& match : sheet.folds.crossed(page, box)) {

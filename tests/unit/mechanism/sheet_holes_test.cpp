@@ -1,4 +1,5 @@
 // Holes in a sheet: what they go through, what of folds and cuts they leave, and where none may be.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -35,6 +36,27 @@ TEST(SheetHoles, AHoleOverACutTakesIt) {
     EXPECT_EQ(made.text, "");
     expect_sound(made, 100.0);
     EXPECT_NEAR(length_of(lines_of(*made.assembly, LineKind::cut)), 700.0 + 100.0 - 10.0 + 40.0, 1e-6);
+}
+
+// Most holes of lace have nothing but paper round them.
+TEST(SheetHoles, LaceLosesWhatItsHolesTake) {
+    std::string lace;
+    for (int i = 0; i < 12; ++i) {
+        for (int k = 0; k < 15; ++k) {
+            lace += hole(fmt::format("M {} {} h 2 v 3 h -2 Z", 10 + 7 * i, -60 + 8 * k),
+                         fmt::format("h{}-{}", i, k));
+        }
+    }
+    const FromXml made = from_xml(lace);
+    EXPECT_EQ(made.text, "");
+    expect_sound(made, 12 * 15 * 6.0);
+    // In one of them there is no paper, and between two of them too little: told as without the others.
+    const std::string one = hole("M 10 -60 h 2 v 3 h -2 Z", "h0-0");
+    const std::string other = hole("M 17 -60 h 2 v 3 h -2 Z", "h1-0");
+    for (const char* d : {"M 10.5 -59.5 h 1 v 1 h -1 Z", "M 12.5 -60 h 4 v 3 h -4 Z"}) {
+        const std::string told = from_xml(one + other + hole(d, "last")).text;
+        EXPECT_EQ(from_xml(lace + hole(d, "last")).text, told) << d;
+    }
 }
 
 TEST(SheetHoles, AHoleMayStandBesideTheStructures) {
