@@ -43,20 +43,19 @@ TEST(SheetHoles, LaceLosesWhatItsHolesTake) {
     std::string lace;
     for (int i = 0; i < 12; ++i) {
         for (int k = 0; k < 15; ++k) {
-            lace += hole(fmt::format("M {} {} h 2 v 3 h -2 Z", 10 + 7 * i, -60 + 8 * k),
+            lace += hole(fmt::format("M {} {} h 4 v 5 h -4 Z", 10 + 7 * i, -60 + 8 * k),
                          fmt::format("h{}-{}", i, k));
         }
     }
     const FromXml made = from_xml(lace);
     EXPECT_EQ(made.text, "");
-    expect_sound(made, 12 * 15 * 6.0);
-    // In one of them there is no paper, and between two of them too little: told as without the others.
-    const std::string one = hole("M 10 -60 h 2 v 3 h -2 Z", "h0-0");
-    const std::string other = hole("M 17 -60 h 2 v 3 h -2 Z", "h1-0");
-    for (const char* d : {"M 10.5 -59.5 h 1 v 1 h -1 Z", "M 12.5 -60 h 4 v 3 h -4 Z"}) {
-        const std::string told = from_xml(one + other + hole(d, "last")).text;
-        EXPECT_EQ(from_xml(lace + hole(d, "last")).text, told) << d;
-    }
+    expect_sound(made, 12 * 15 * 20.0);
+    // A hole in one of them takes nothing, one over two of them what is left between, and one too near to the
+    // edge is none.
+    expect_sound(from_xml(lace + hole("M 10.5 -59.5 h 3 v 4 h -3 Z", "in")), 12 * 15 * 20.0);
+    expect_sound(from_xml(lace + hole("M 12 -60 h 6 v 5 h -6 Z", "over")), 12 * 15 * 20.0 + 15.0);
+    EXPECT_NE(from_xml(lace + hole("M 95 -60 h 4.5 v 5 h -4.5 Z", "near")).text.find("does-not-fit"),
+              std::string::npos);
 }
 
 TEST(SheetHoles, AHoleMayStandBesideTheStructures) {
