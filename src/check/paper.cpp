@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 
 #include "base/geometry/regions.h"
 #include "mechanism/site_lines.h"
+#include "mechanism/thin_places.h"
 
 namespace popup {
 namespace {
@@ -71,7 +73,7 @@ void PaperMap::PageEdges::query(const Box& box, std::vector<int>& found) const {
     }
 }
 
-void PaperMap::add(int page_number, std::span<const Segment> edges, int plate, bool seam) {
+void PaperMap::add(int page_number, std::span<const Segment> edges, int plate, bool seam, int hole) {
     constexpr std::size_t kRun = 8;
     PageEdges& there = page(page_number);
     if (there.edges.capacity() == 0) {
@@ -88,7 +90,7 @@ void PaperMap::add(int page_number, std::span<const Segment> edges, int plate, b
             box.extend(edge.a);
             box.extend(edge.b);
             there.edges.push_back(edge);
-            there.obstacles.push_back({plate, seam, owner_});
+            there.obstacles.push_back({plate, seam, owner_, hole});
         }
         there.runs.insert({box.min, box.max}, false);
     }
@@ -97,11 +99,11 @@ void PaperMap::add(int page_number, std::span<const Segment> edges, int plate, b
 void PaperMap::update(const Skeleton& skeleton, int owner) {
     owner_ = owner;
     std::vector<Segment> edges;
-    const auto add_ring = [&](int number, const Ring& ring, int plate) {
+    const auto add_ring = [&](int number, const Ring& ring, int plate, int hole = -1) {
         edges.clear();
         for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++)
             edges.push_back({ring[j], ring[i]});
-        add(number, edges, plate, false);
+        add(number, edges, plate, false, hole);
     };
     for (std::size_t plate = outlines_.size(); plate < skeleton.draft.plates.size(); ++plate) {
         outlines_.push_back(skeleton.draft.plates[plate].outline);
@@ -128,8 +130,8 @@ void PaperMap::update(const Skeleton& skeleton, int owner) {
     for (; holes_seen_ < skeleton.holes.size(); ++holes_seen_) {
         const Hole& hole = skeleton.holes[holes_seen_];
         const int number = skeleton.plate_page[static_cast<std::size_t>(hole.plate)];
-        add_ring(number, hole.ring, hole.plate);
         PageEdges& there = page(number);
+        add_ring(number, hole.ring, hole.plate, static_cast<int>(there.cuts.size()));
         const Box box = bounds(hole.ring);
         there.cut_boxes.insert({box.min, box.max}, false);
         there.cuts.emplace_back(hole.plate, hole.ring);
@@ -227,6 +229,43 @@ bool PaperMap::has_paper(int plate, int page_number, Vec2 at) const {
         const auto& [owner, ring] = page_edges.cuts[static_cast<std::size_t>(number)];
         return owner == plate && contains({ring, {}}, at);
     });
+}
+
+std::optional<Pierced::Narrow> PaperMap::narrow_beside_hole(int page_number, const Ring& ring,
+                                                            double below) const {
+    const PageEdges& page_edges = pages_[static_cast<std::size_t>(page_number)];
+    struct Beside {
+        bool meets = false;
+        Pierced::Narrow narrow;
+    };
+    std::map<int, Beside> holes;
+    std::vector<int> found;
+    for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
+        const Segment own{ring[j], ring[i]};
+        page_edges.query(box_around(std::array{own.a, own.b}, below), found);
+        for (const int number : found) {
+            const int hole = page_edges.obstacles[static_cast<std::size_t>(number)].hole;
+            if (hole < 0) continue;
+            const Segment& edge = page_edges.edges[static_cast<std::size_t>(number)];
+            const auto [at, fresh] = holes.try_emplace(hole, Beside{false, {{}, below}});
+            Beside& beside = at->second;
+            beside.meets = beside.meets || distance(own, edge) <= kGridMm;
+            if (beside.meets) continue;
+            for (const auto& [p, q] : end_spots(own, edge)) {
+                if (distance(p, q) < beside.narrow.width_mm)
+                    beside.narrow = {lerp(p, q, 0.5), distance(p, q)};
+            }
+        }
+    }
+    std::optional<Pierced::Narrow> best;
+    for (const auto& [hole, beside] : holes) {
+        const Ring& other = page_edges.cuts[static_cast<std::size_t>(hole)].second;
+        if (beside.meets || beside.narrow.width_mm >= (best ? best->width_mm : below)) continue;
+        // One within the other has no paper between them, but inside of the outer one.
+        if (contains({other, {}}, ring.front()) || contains({ring, {}}, other.front())) continue;
+        best = beside.narrow;
+    }
+    return best;
 }
 
 void PaperMap::owners_near(int page_number, const Ring& ring, std::vector<int>& owners) const {

@@ -40,6 +40,10 @@ class PaperMap {
     [[nodiscard]] bool is_clear(int page, const Box& box) const;
     // Whether the point (page coordinates) lies on the plate, off what has been cut out of it.
     [[nodiscard]] bool has_paper(int plate, int page, Vec2 at) const;
+    // The narrowest paper, below `below` mm, between the ring and a hole through the page that it does not
+    // meet. Cost: near linear in the ring's edges, as long as few others are near each.
+    [[nodiscard]] std::optional<Pierced::Narrow> narrow_beside_hole(int page, const Ring& ring,
+                                                                    double below) const;
     // The owners of what ends, is cut or is glued on the page within the ring, or too near to it; each
     // perhaps several times.
     void owners_near(int page, const Ring& ring, std::vector<int>& owners) const;
@@ -52,6 +56,7 @@ class PaperMap {
         int plate;
         bool seam;
         int owner;
+        int hole;  // through the page: its number among `cuts`; -1: none
     };
     struct PageEdges {
         std::vector<Segment> edges;
@@ -69,7 +74,7 @@ class PaperMap {
         void query(const Box& box, std::vector<int>& found) const;
     };
     // Edges that lie together, of a ring for example.
-    void add(int page, std::span<const Segment> edges, int plate, bool seam);
+    void add(int page, std::span<const Segment> edges, int plate, bool seam, int hole = -1);
     PageEdges& page(int number);
 
     Tolerances tolerances_;

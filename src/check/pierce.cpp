@@ -11,6 +11,7 @@
 #include "base/geometry/regions.h"
 #include "base/nth.h"
 #include "mechanism/site_lines.h"
+#include "mechanism/thin_places.h"
 
 namespace popup {
 namespace {
@@ -129,7 +130,9 @@ Pierced pierce(const Sheet& sheet, int page, const Ring& ring) {
     const std::vector<int> plates = sheet.plates.in(page, box);
     // Most holes have nothing but paper round them, of one plate: that takes no look at all the others.
     const Vec2 at = ring.front();
-    const bool alone = std::abs(signed_area(ring)) > kSpeckMm2 && sheet.paper.is_clear(page, box) &&
+    const Vec2 margin{std::max(around, kTearsMm), std::max(around, kTearsMm)};
+    const Box wide{bounds(ring).min - margin, bounds(ring).max + margin};
+    const bool alone = std::abs(signed_area(ring)) > kSpeckMm2 && sheet.paper.is_clear(page, wide) &&
                        std::any_of(plates.begin(), plates.end(), [&](int plate) {
                            return contains(nth(sheet.skeleton.draft.plates, plate).outline, at);
                        });
@@ -159,8 +162,14 @@ Pierced pierce(const Sheet& sheet, int page, const Ring& ring) {
     if (alone) {
         std::copy_if(plates.begin(), plates.end(), std::back_inserter(made.plates),
                      [&](int plate) { return sheet.paper.has_paper(plate, page, at); });
-    } else if (auto fault = leaves_parts(sheet, plates, ring, made)) {
-        return std::move(*fault);
+    } else {
+        if (auto fault = leaves_parts(sheet, plates, ring, made)) return std::move(*fault);
+        made.narrow = sheet.paper.narrow_beside_hole(page, ring, kTearsMm);
+        // A third hole may have taken what was between the two.
+        if (made.narrow && std::none_of(plates.begin(), plates.end(), [&](int plate) {
+                return sheet.paper.has_paper(plate, page, made.narrow->at);
+            }))
+            made.narrow.reset();
     }
     std::vector<int> seen;
     for (const FoldMatch& match : sheet.folds.crossed(page, box)) {

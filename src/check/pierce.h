@@ -20,8 +20,9 @@ struct Sheet {
 
 // The ring is in page coordinates, counter-clockwise, and touches itself nowhere. It must lie on the page
 // with paper around it, off seams and glued areas; each plate must stay one part, and each fold that it
-// crosses keep a stretch of Tolerances::min_length_mm. Cost: that of a look at what lies near it, where that
-// is nothing but paper; else linear in the plates that lie near it, with their cut-outs.
+// crosses keep a stretch of Tolerances::min_length_mm. Paper between it and another hole that tears is told
+// of in Pierced::narrow. Cost: that of a look at what lies near it, where that is nothing but paper; else
+// linear in the plates that lie near it, with their cut-outs.
 Pierced pierce(const Sheet& sheet, int page, const Ring& ring);
 
 }  // namespace popup

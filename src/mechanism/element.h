@@ -26,6 +26,12 @@ struct Pierced {
         double from = 0.0, to = 0.0;  // mm along it
     };
     std::vector<Span> folds;  // stretches that are still there
+    // The narrowest paper between the hole and another that it does not meet, where that tears.
+    struct Narrow {
+        Vec2 at;  // its middle
+        double width_mm = 0.0;
+    };
+    std::optional<Narrow> narrow;
     std::string code, what, hint;
 };
 

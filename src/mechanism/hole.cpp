@@ -11,6 +11,7 @@
 #include "mechanism/measures.h"
 #include "mechanism/rows.h"
 #include "mechanism/sheet_rows.h"
+#include "mechanism/thin_places.h"
 
 namespace popup {
 namespace {
@@ -27,6 +28,7 @@ bool constrain(Element& e) {
     const auto path = drawn_path(e);
     const bool one_line = path && path->subpaths().size() == 1;
     if (one_line ? !constrain_border(e) : !mend_holes(e, "outline", "its outline")) return false;
+    std::optional<Pierced::Narrow> narrow;
     for (const Polygon& part : areas_of(e, "outline")) {
         if (!part.holes.empty()) {
             e.failed("hole-off-piece",
@@ -35,10 +37,14 @@ bool constrain(Element& e) {
             return false;
         }
         const Pierced pierced = e.paper->pierce(part.outer);
-        if (pierced.code.empty()) continue;
-        e.failed(pierced.code, pierced.what, pierced.hint);
-        return false;
+        if (!pierced.code.empty()) {
+            e.failed(pierced.code, pierced.what, pierced.hint);
+            return false;
+        }
+        if (pierced.narrow && (!narrow || pierced.narrow->width_mm < narrow->width_mm))
+            narrow = pierced.narrow;
     }
+    if (narrow) tell_thin_between_holes(e, narrow->at, narrow->width_mm);
     return true;
 }
 

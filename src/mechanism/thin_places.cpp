@@ -97,6 +97,13 @@ bool touching(const std::vector<Polygon>& areas) {
     return found;
 }
 
+std::array<std::pair<Vec2, Vec2>, 4> end_spots(const Segment& one, const Segment& two) {
+    return {{{one.a, nearest_on(two, one.a)},
+             {one.b, nearest_on(two, one.b)},
+             {nearest_on(one, two.a), two.a},
+             {nearest_on(one, two.b), two.b}}};
+}
+
 std::optional<NarrowPlace> thinnest(const Polygon& piece, double below) {
     Rings rings;
     rings.add(piece);
@@ -105,12 +112,7 @@ std::optional<NarrowPlace> thinnest(const Polygon& piece, double below) {
         const Segment& one = rings.edges[i];
         const Segment& two = rings.edges[j];
         const bool at_hole = rings.ring[i] != rings.ring[j];
-        // Apart, two segments are nearest at an end of one of them.
-        const std::array<std::pair<Vec2, Vec2>, 4> spots{{{one.a, nearest_on(two, one.a)},
-                                                          {one.b, nearest_on(two, one.b)},
-                                                          {nearest_on(one, two.a), two.a},
-                                                          {nearest_on(one, two.b), two.b}}};
-        for (const auto& [p, q] : spots) {
+        for (const auto& [p, q] : end_spots(one, two)) {
             const double width = distance(p, q);
             if (width >= below || (best && width >= best->width_mm)) continue;
             if (!at_hole) {
@@ -126,11 +128,18 @@ std::optional<NarrowPlace> thinnest(const Polygon& piece, double below) {
     return best;
 }
 
+namespace {
+
+std::string thin_mm(double width_mm) {
+    return width_mm < 0.01 ? fmt::format("{:.4f} mm", width_mm) : mm(width_mm);
+}
+
+}  // namespace
+
 void tell_thin(Element& e, const Polygon& piece) {
     const auto thin = thinnest(piece, kTearsMm);
     if (!thin) return;
-    const std::string width =
-        thin->width_mm < 0.01 ? fmt::format("{:.4f} mm", thin->width_mm) : mm(thin->width_mm);
+    const std::string width = thin_mm(thin->width_mm);
     e.warned("paper-too-thin",
              thin->at_hole ? fmt::format("only {} of paper is left beside a hole at {}; below {} it tears",
                                          width, at_mm(thin->at), mm(kTearsMm))
@@ -138,6 +147,13 @@ void tell_thin(Element& e, const Polygon& piece) {
                                          width, at_mm(thin->at), mm(kTearsMm)),
              thin->at_hole ? "move the hole away from the edge, or let it open to the edge"
                            : "draw it wider there");
+}
+
+void tell_thin_between_holes(Element& e, Vec2 at, double width_mm) {
+    e.warned("paper-too-thin",
+             fmt::format("only {} of paper is left between it and another hole, at {}; below {} it tears",
+                         thin_mm(width_mm), at_mm(at), mm(kTearsMm)),
+             "move the two apart, or let one open to the other");
 }
 
 }  // namespace popup

@@ -58,6 +58,24 @@ TEST(SheetHoles, LaceLosesWhatItsHolesTake) {
               std::string::npos);
 }
 
+// What is left between two holes tears where it is narrow, but not where they meet, or one takes the other.
+TEST(SheetHoles, TellsOfNarrowPaperBetweenTwoHoles) {
+    const std::string one = hole("M 10 -60 h 4 v 5 h -4 Z", "one");
+    EXPECT_EQ(
+        from_xml(one + hole("M 14.3 -58 h 4 v 8 h -3 Z", "two")).text,
+        "warning paper-too-thin: \"two\": only 0.30 mm of paper is left between it and another hole, at "
+        "(14.15, -58.00) mm; below 0.50 mm it tears\n");
+    for (const char* d : {"M 14.5 -58 h 4 v 8 h -4 Z", "M 14 -58 h 4 v 8 h -4 Z", "M 13 -58 h 4 v 8 h -4 Z",
+                          "M 10.2 -59.8 h 3 v 4 h -3 Z", "M 9.8 -60.2 h 5 v 6 h -5 Z"}) {
+        EXPECT_EQ(from_xml(one + hole(d, "two")).text, "") << d;
+    }
+    // A third hole has taken what is between the two.
+    EXPECT_EQ(from_xml(one + hole("M 13 -58.5 h 1.8 v 3 h -1.8 Z", "over") +
+                       hole("M 14.3 -58 h 4 v 2 h -4 Z", "two"))
+                  .text,
+              "");
+}
+
 TEST(SheetHoles, AHoleMayStandBesideTheStructures) {
     const auto read = [](const std::string& before, const std::string& inside) {
         Diagnostics diagnostics;

@@ -3,9 +3,11 @@
 
 #include <gtest/gtest.h>
 
-#include <memory>
 #include <string>
 #include <vector>
+
+#include "base/text/font_file.h"
+#include "output/cairo_sheet.h"
 
 namespace popup {
 namespace {
@@ -14,6 +16,7 @@ constexpr double kCapMm = 2.0;
 
 class PageTexts : public testing::Test {
  protected:
+    PageTexts() { set_font(context_.get(), font_.get()); }
     [[nodiscard]] std::vector<std::string> lines(const std::string& text, double room_mm) const {
         return wrapped(context_.get(), text, kCapMm, room_mm);
     }
@@ -22,13 +25,9 @@ class PageTexts : public testing::Test {
     }
 
  private:
-    struct Free {
-        void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
-        void operator()(cairo_t* context) const { cairo_destroy(context); }
-    };
-    std::unique_ptr<cairo_surface_t, Free> surface_{
-        cairo_recording_surface_create(CAIRO_CONTENT_COLOR_ALPHA, nullptr)};
-    std::unique_ptr<cairo_t, Free> context_{cairo_create(surface_.get())};
+    FontFace font_ = open_font(font_path(TextFont::sans));
+    Surface surface_{cairo_recording_surface_create(CAIRO_CONTENT_COLOR_ALPHA, nullptr)};
+    Context context_{cairo_create(surface_.get())};
 };
 
 TEST_F(PageTexts, WordsStayWholeWhereTheyHaveRoom) {
