@@ -111,7 +111,8 @@ std::optional<std::string> new_document(const NewCard& wanted, Diagnostics& diag
         xml::format_number(height / unit.mm));
     if (wanted.with.empty()) return text;
     // Each has its own stretch of the gutter, from its end to its begin: the first stands furthest back. On a
-    // narrow card what is larger than the card is wide would stick out of it closed.
+    // narrow card a larger one would stick out when it is closed.
+    constexpr double kRoomOfWidth = 1.25;
     std::vector<EditLine> edits;
     const double width = wanted.width_mm.value_or(kCardWidthMm);
     const double room = height / static_cast<double>(wanted.with.size());
@@ -121,8 +122,9 @@ std::optional<std::string> new_document(const NewCard& wanted, Diagnostics& diag
         EditLine& edit = edits.emplace_back();
         edit.words = {"add", type};
         if (info != nullptr) {
-            edit.words.insert(edit.words.end(),
-                              {"--room", fmt::format("{}mm", std::min({1.6 * room, height, width}))});
+            edit.words.insert(
+                edit.words.end(),
+                {"--room", fmt::format("{}mm", std::min({1.6 * room, height, kRoomOfWidth * width}))});
             const char* place = find_measure(*info, "at") ? "--at" : find_measure(*info, "y") ? "--y" : "";
             if (*place != '\0') edit.words.insert(edit.words.end(), {place, fmt::format("{}mm", at)});
         }
