@@ -115,8 +115,8 @@ struct Sweep {
     // At from_deg all plates lie in one plane, that of the first cover, and come from there as linkages do
     // that fold flat: distances shrink with the angle.
     bool closed_flat = true;
-    // Plates only come near the paper, which bends, or of which it was not found how it folds: they are
-    // shown, and not examined for collisions.
+    // The plates only approximate the paper: it bends, or how it folds was not found. They are shown, and
+    // not examined for collisions.
     bool bends = false;
 };
 

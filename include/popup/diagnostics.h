@@ -87,8 +87,8 @@ class Diagnostics {
     Diagnostics(std::string file, DiagnosticPolicy policy);
 
     // Adds a finding. `code` must stand in code_table(); an unknown one is a broken invariant and aborts.
-    // The reference stays valid as long as this object; that of a finding after the 100th of its code and
-    // severity stands for the next one of these, too, whatever its code.
+    // The reference stays valid as long as this object. All findings after the 100th of their code and
+    // severity share one place: the next of them overwrites the one before.
     Diagnostic& add(Severity severity, std::string_view code, Place place, std::string message);
     Diagnostic& error(std::string_view code, Place place, std::string message);
     Diagnostic& warning(std::string_view code, Place place, std::string message);

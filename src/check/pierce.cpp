@@ -79,7 +79,8 @@ double longest_left(const Fold& fold, const std::vector<Pierced::Span>& lost) {
     return std::max(most, fold.length() - at);
 }
 
-// Whether the hole, widened by so much, lies on the plates; says where not.
+// The fault of a hole that leaves the plates, or comes nearer than `around` mm to where they end; nullopt:
+// none.
 std::optional<Pierced> leaves_page(const Sheet& sheet, const std::vector<int>& plates, const Ring& ring,
                                    double around) {
     std::vector<Polygon> sheets;
@@ -100,7 +101,8 @@ std::optional<Pierced> leaves_page(const Sheet& sheet, const std::vector<int>& p
     return std::nullopt;
 }
 
-// Adds the plates that lose paper; says which would be in parts or gone.
+// The fault of a hole that cuts a plate into parts, or leaves nothing of it; nullopt: none. Adds the plates
+// that lose paper to `made`.
 std::optional<Pierced> leaves_parts(const Sheet& sheet, const std::vector<int>& plates, const Ring& ring,
                                     Pierced& made) {
     const std::vector<Polygon> hole{{ring, {}}};

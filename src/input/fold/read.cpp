@@ -95,7 +95,7 @@ class Reader {
             .remark(
                 "fold-version", place(version->at),
                 fmt::format("its file_spec{} is none of 1, 1.1 and 1.2; it was read as FOLD 1.2", shown_as))
-            .hint("what other versions say in another way is not seen: export it as one of these");
+            .hint("export it as one of these: what another version says in another way is misread");
     }
 
     // --- frames
