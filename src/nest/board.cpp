@@ -10,7 +10,8 @@ namespace {
 constexpr std::size_t kFewChords = 47;
 // What it costs to put a chord in order, in looks.
 constexpr double kSorting = 6.0;
-// What it costs to make a no-fit part and look at it, in looks.
+// What it costs to make the box of a no-fit part, and to make the rest of it and look at it, in looks.
+constexpr double kMakingBox = 1.0;
 constexpr double kMaking = 8.0;
 // What it costs to set a weight anew, in looks.
 constexpr double kFilling = 1.0 / 32.0;
@@ -99,20 +100,23 @@ void Board::reset_weights() {
     work += kFilling * static_cast<double>(weights_.size());
 }
 
-namespace {
-
 // Depth of (x, y) in all parts of a no-fit polygon.
-double total_depth(const NoFit& fit, double x, double y) {
+double Board::total_depth(const NoFit& fit, double x, double y) {
     double sum = 0.0;
     for (const NoFitPart& part : fit.parts) {
         if (x <= part.x0 || x >= part.x1 || y <= part.y0 || y >= part.y1) continue;
+        make_ready(part);
         const double depth = depth_in(fit, part, x, y);
         if (depth > kTouch) sum += depth;
     }
     return sum;
 }
 
-}  // namespace
+void Board::make_part(const NoFitPart& part) {
+    NoFit& fit = last_->fit;
+    table_->make_part(last_->a, last_->b, static_cast<std::size_t>(&part - fit.parts.data()), fit);
+    work += kMaking;
+}
 
 const NoFit& Board::no_fit_looked_at(int a, int b, double looks) {
     if (table_->keeps()) {
@@ -123,13 +127,14 @@ const NoFit& Board::no_fit_looked_at(int a, int b, double looks) {
     if (cache_.empty()) cache_.resize(kCached);
     Cached& entry = cache_[(index(a) * 2654435761U + index(b) * 40503U) % kCached];
     if (entry.table != table_ || entry.a != a || entry.b != b) {
-        table_->make(a, b, entry.fit);
+        table_->make_boxes(a, b, entry.fit);
         entry.table = table_;
         entry.a = a;
         entry.b = b;
-        looks += kMaking * static_cast<double>(entry.fit.parts.size());
+        looks += kMakingBox * static_cast<double>(entry.fit.parts.size());
     }
     work += looks;
+    last_ = &entry;
     return entry.fit;
 }
 
@@ -258,6 +263,7 @@ void Board::gather_spans(int item, const Stand& stand, double low, double high, 
         for (const NoFitPart& part : fit.parts) {
             if (rest - (level ? part.y0 : part.x0) <= kTouch || (level ? part.y1 : part.x1) - rest <= kTouch)
                 continue;
+            make_ready(part);
             const auto [begin, end] = chord_of<level>(fit, part, rest);
             const double from = there_along + begin;
             const double to = there_along + end;
@@ -342,6 +348,7 @@ double Board::cost_on(int item, const Stand& stand, Along along, double at, doub
             const Chord& chord = chords_[i];
             if (chord.from >= at) break;
             if (chord.to <= at) continue;
+            make_ready(fit.parts[chord.part]);
             const double depth = depth_in(fit, fit.parts[chord.part], x, y);
             if (depth > kTouch) depths += depth;
         }

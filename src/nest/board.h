@@ -104,8 +104,16 @@ class Board {
         int other;
         std::uint32_t first, count;  // into chords_, by where they begin
     };
+    // The no-fit polygon of two shapes. Where the table does not keep them, of most of its parts only the
+    // boxes are made, and it is good until the next is asked for.
     const NoFit& no_fit(int a, int b);
     const NoFit& no_fit_looked_at(int a, int b, double looks);
+    // Makes the rest of a part, if need be, of the no-fit polygon that was asked for last.
+    void make_ready(const NoFitPart& part) {
+        if (!part.is_made()) make_part(part);
+    }
+    void make_part(const NoFitPart& part);
+    double total_depth(const NoFit& fit, double x, double y);
     struct Cached {
         const NoFitTable* table = nullptr;
         int a = -1, b = -1;
@@ -136,6 +144,7 @@ class Board {
     std::vector<Span> spans_;
     std::vector<double> ends_, left_;
     std::vector<Cached> cache_;
+    Cached* last_ = nullptr;  // of cache_, what was asked for last
 };
 
 }  // namespace popup

@@ -1,7 +1,6 @@
 #include "nest/no_fit.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "base/nth.h"
@@ -18,79 +17,81 @@ void add_nothing(double nx, double* plane, std::size_t count) {
 
 }  // namespace
 
-void make_no_fit(const TurnedShape& a, const TurnedShape& b, double slack, NoFit& result) {
+void make_boxes(const TurnedShape& a, const TurnedShape& b, double slack, NoFit& result) {
     result.parts.clear();
     result.planes.clear();
-    double x0 = HUGE_VAL;
-    double y0 = HUGE_VAL;
-    double x1 = -HUGE_VAL;
-    double y1 = -HUGE_VAL;
+    result.x0 = HUGE_VAL;
+    result.y0 = HUGE_VAL;
+    result.x1 = -HUGE_VAL;
+    result.y1 = -HUGE_VAL;
     for (const PartEdges& part_b : b.edges) {
         for (const PartEdges& part_a : a.edges) {
-            // The edges of the sum of two convex rings are the edges of both, by direction. Before an edge of
-            // one the other stands where its own next edge begins.
-            const std::vector<PartEdge>& one = part_a.mirrored;
-            const std::vector<PartEdge>& other = part_b.plain;
-            std::array<std::uint32_t, 8> counts{};
-            for (const std::vector<PartEdge>* edges : {&one, &other}) {
-                for (const PartEdge& edge : *edges) ++nth(counts, edge.eighth);
-            }
-            const auto even = [](std::uint32_t count) { return (count + 1) & ~1U; };
-            const std::uint32_t half = even(counts[1] + counts[3]);
-            const std::uint32_t count = half + even(counts[5] + counts[7]);
-            NoFitPart part{HUGE_VAL,
-                           HUGE_VAL,
-                           -HUGE_VAL,
-                           -HUGE_VAL,
-                           static_cast<std::uint32_t>(result.planes.size()),
-                           counts[1],
-                           half,
-                           half + counts[5],
-                           count};
-            result.planes.resize(part.first + 3 * static_cast<std::size_t>(count));
-            double* const planes = result.planes.data() + part.first;
-            if (counts[1] + counts[3] < half) add_nothing(1.0, planes + half - 1, count);
-            if (half + counts[5] + counts[7] < count) add_nothing(-1.0, planes + count - 1, count);
-            std::uint32_t next = 0;
-            std::size_t i = 0;
-            std::size_t j = 0;
-            while (i < one.size() || j < other.size()) {
-                const bool first =
-                    j == other.size() || (i < one.size() && one[i].direction < other[j].direction);
-                const PartEdge& of_one = one[i == one.size() ? 0 : i];
-                const PartEdge& of_other = other[j == other.size() ? 0 : j];
-                const PartEdge& edge = first ? of_one : of_other;
-                const double x = of_one.x + of_other.x;
-                const double y = of_one.y + of_other.y;
-                part.x0 = std::min(part.x0, x);
-                part.y0 = std::min(part.y0, y);
-                part.x1 = std::max(part.x1, x);
-                part.y1 = std::max(part.y1, y);
-                if (edge.slanted) {
-                    if (edge.eighth >= 5) next = std::max(next, half);
-                    double* const plane = planes + next;
-                    plane[0] = edge.nx;
-                    plane[count] = (edge.nx * x + edge.ny * y + slack) / edge.nx;
-                    plane[2 * static_cast<std::size_t>(count)] = edge.ny / edge.nx;
-                    ++next;
-                }
-                ++(first ? i : j);
-            }
-            if (counts[0] == 0) part.y0 -= slack;
-            if (counts[2] == 0) part.x1 += slack;
-            if (counts[4] == 0) part.y1 += slack;
-            if (counts[6] == 0) part.x0 -= slack;
-            x0 = std::min(x0, part.x0);
-            y0 = std::min(y0, part.y0);
-            x1 = std::max(x1, part.x1);
-            y1 = std::max(y1, part.y1);
+            const RingEdges& one = part_a.mirrored;
+            const RingEdges& other = part_b.plain;
+            NoFitPart part{};
+            part.first = NoFitPart::kNotMade;
+            // Corners are whole numbers, so that the box of all sums is the sum of the boxes.
+            const auto slack_at = [&](int side) {
+                return nth(one.counts, side) + nth(other.counts, side) == 0 ? slack : 0.0;
+            };
+            part.x0 = one.x0 + other.x0 - slack_at(6);
+            part.y0 = one.y0 + other.y0 - slack_at(0);
+            part.x1 = one.x1 + other.x1 + slack_at(2);
+            part.y1 = one.y1 + other.y1 + slack_at(4);
+            result.x0 = std::min(result.x0, part.x0);
+            result.y0 = std::min(result.y0, part.y0);
+            result.x1 = std::max(result.x1, part.x1);
+            result.y1 = std::max(result.y1, part.y1);
             result.parts.push_back(part);
         }
     }
-    result.x0 = x0;
-    result.y0 = y0;
-    result.x1 = x1;
-    result.y1 = y1;
+}
+
+void make_part(const TurnedShape& a, const TurnedShape& b, double slack, std::size_t number, NoFit& result) {
+    // The edges of the sum of two convex rings are the edges of both, by direction. Before an edge of one the
+    // other stands where its own next edge begins.
+    const RingEdges& ring_a = a.edges[number % a.edges.size()].mirrored;
+    const RingEdges& ring_b = b.edges[number / a.edges.size()].plain;
+    const std::vector<PartEdge>& one = ring_a.edges;
+    const std::vector<PartEdge>& other = ring_b.edges;
+    const auto of = [&](int eighth) { return nth(ring_a.counts, eighth) + nth(ring_b.counts, eighth); };
+    const auto even = [](std::uint32_t count) { return (count + 1) & ~1U; };
+    NoFitPart& part = result.parts[number];
+    part.first = static_cast<std::uint32_t>(result.planes.size());
+    part.third = of(1);
+    part.half = even(of(1) + of(3));
+    part.last = part.half + of(5);
+    part.count = part.half + even(of(5) + of(7));
+    const std::size_t count = part.count;
+    result.planes.resize(part.first + 3 * count);
+    double* const planes = result.planes.data() + part.first;
+    if (of(1) + of(3) < part.half) add_nothing(1.0, planes + part.half - 1, count);
+    if (part.last + of(7) < part.count) add_nothing(-1.0, planes + part.count - 1, count);
+    std::uint32_t next = 0;
+    std::size_t i = 0;
+    std::size_t j = 0;
+    while (i < one.size() || j < other.size()) {
+        const bool first = j == other.size() || (i < one.size() && one[i].direction < other[j].direction);
+        const PartEdge& of_one = one[i == one.size() ? 0 : i];
+        const PartEdge& of_other = other[j == other.size() ? 0 : j];
+        const PartEdge& edge = first ? of_one : of_other;
+        if (edge.slanted) {
+            const double x = of_one.x + of_other.x;
+            const double y = of_one.y + of_other.y;
+            if (edge.eighth >= 5) next = std::max(next, part.half);
+            double* const plane = planes + next;
+            plane[0] = edge.nx;
+            plane[count] = (edge.nx * x + edge.ny * y + slack) / edge.nx;
+            plane[2 * count] = edge.ny / edge.nx;
+            ++next;
+        }
+        ++(first ? i : j);
+    }
+}
+
+void make_no_fit(const TurnedShape& a, const TurnedShape& b, double slack, NoFit& result) {
+    make_boxes(a, b, slack, result);
+    for (std::size_t part = 0; part < result.parts.size(); ++part) make_part(a, b, slack, part, result);
 }
 
 bool covers(const NoFit& fit, const NoFitBox& box, int cuts) {
@@ -151,6 +152,14 @@ NoFitTable::~NoFitTable() {
 
 void NoFitTable::make(int a, int b, NoFit& result) const {
     make_no_fit(nth(shapes_, a), nth(shapes_, b), slack_, result);
+}
+
+void NoFitTable::make_boxes(int a, int b, NoFit& result) const {
+    popup::make_boxes(nth(shapes_, a), nth(shapes_, b), slack_, result);
+}
+
+void NoFitTable::make_part(int a, int b, std::size_t part, NoFit& result) const {
+    popup::make_part(nth(shapes_, a), nth(shapes_, b), slack_, part, result);
 }
 
 const NoFit& NoFitTable::keep(int a, int b) {

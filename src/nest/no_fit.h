@@ -28,11 +28,14 @@ struct NoFitPart {
     // Its planes, from `first` on in NoFit::planes: all their nx, then all c / nx, then all ny / nx. They
     // come by the direction of their edges, of the eighths 1, 3, 5, 7 of PartEdge. After those of 3 and of 7
     // there is one more where else their count were odd, that all points are behind.
-    std::uint32_t first;
+    std::uint32_t first;  // kNotMade: only the box is known
     std::uint32_t third;  // where those of 3 begin
     std::uint32_t half;   // where those of 5 begin; nx > 0 before
     std::uint32_t last;   // where those of 7 begin
     std::uint32_t count;
+
+    static constexpr std::uint32_t kNotMade = 0xFFFFFFFFU;
+    [[nodiscard]] bool is_made() const { return first != kNotMade; }
 };
 
 struct NoFit {
@@ -44,8 +47,12 @@ struct NoFit {
 // The no-fit polygon of a moving about b at rest. Edges that are neither upright nor level are moved out by
 // `slack` steps: room for the rounding of places, where touching need not be exact.
 void make_no_fit(const TurnedShape& a, const TurnedShape& b, double slack, NoFit& result);
+// The same in two steps, since most lines and places meet few of the boxes: first the boxes of all parts,
+// then what else there is of one part, by its number, where that is not made yet.
+void make_boxes(const TurnedShape& a, const TurnedShape& b, double slack, NoFit& result);
+void make_part(const TurnedShape& a, const TurnedShape& b, double slack, std::size_t part, NoFit& result);
 
-// How deep (x, y) is in a part: the least distance from an edge, and negative outside.
+// How deep (x, y) is in a part that is made: the least distance from an edge, and negative outside.
 inline double depth_in(const NoFit& fit, const NoFitPart& part, double x, double y) {
     const double* nx = fit.planes.data() + part.first;
     const double* at_zero = nx + part.count;
@@ -61,8 +68,8 @@ inline double depth_in(const NoFit& fit, const NoFitPart& part, double x, double
     return depth.least();
 }
 
-// Whether all places of a box overlap, its edges too. A no may be wrong where many small parts make it up.
-// Cost: a few looks at all parts where it is plain, some thousand at the most.
+// Whether all places of a box overlap, its edges too. All parts are made. A no may be wrong where many small
+// parts make it up. Cost: a few looks at all parts where it is plain, some thousand at the most.
 struct NoFitBox {
     double x0, y0, x1, y1;
 };
@@ -87,6 +94,8 @@ class NoFitTable {
         return made != nullptr ? *made : keep(a, b);
     }
     void make(int a, int b, NoFit& result) const;
+    void make_boxes(int a, int b, NoFit& result) const;
+    void make_part(int a, int b, std::size_t part, NoFit& result) const;
 
  private:
     [[nodiscard]] std::size_t index(int a, int b) const {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/geometry/regions.h"
+#include "base/nth.h"
 #include "nest/coarser.h"
 #include "nest/inside.h"
 #include "nest/partition.h"
@@ -166,9 +167,9 @@ int eighth_of(double dx, double dy) {
     return dy > 0.0 ? (dx > 0.0 ? 1 : 3) : (dx < 0.0 ? 5 : 7);
 }
 
-std::vector<PartEdge> edges_of(const GridRing& part, double sign) {
-    std::vector<PartEdge> edges;
-    edges.reserve(part.size());
+RingEdges edges_of(const GridRing& part, double sign) {
+    RingEdges ring{{}, {}, HUGE_VAL, HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+    ring.edges.reserve(part.size());
     for (std::size_t i = 0; i < part.size(); ++i) {
         const GridPoint p = part[i];
         const GridPoint along = part[(i + 1) % part.size()] - p;
@@ -176,12 +177,19 @@ std::vector<PartEdge> edges_of(const GridRing& part, double sign) {
         const double dy = sign * static_cast<double>(along.y);
         const bool slanted = along.x != 0 && along.y != 0;
         const double length = slanted ? std::sqrt(dx * dx + dy * dy) : std::abs(dx) + std::abs(dy);
-        edges.push_back({sign * static_cast<double>(p.x), sign * static_cast<double>(p.y), dy / length,
-                         -dx / length, direction_of(dx, dy), slanted, eighth_of(dx, dy)});
+        const double x = sign * static_cast<double>(p.x);
+        const double y = sign * static_cast<double>(p.y);
+        const int eighth = eighth_of(dx, dy);
+        ring.edges.push_back({x, y, dy / length, -dx / length, direction_of(dx, dy), slanted, eighth});
+        ++nth(ring.counts, eighth);
+        ring.x0 = std::min(ring.x0, x);
+        ring.y0 = std::min(ring.y0, y);
+        ring.x1 = std::max(ring.x1, x);
+        ring.y1 = std::max(ring.y1, y);
     }
-    std::stable_sort(edges.begin(), edges.end(),
+    std::stable_sort(ring.edges.begin(), ring.edges.end(),
                      [](const PartEdge& a, const PartEdge& b) { return a.direction < b.direction; });
-    return edges;
+    return ring;
 }
 
 }  // namespace

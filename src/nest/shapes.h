@@ -1,6 +1,8 @@
 // Kinds of pieces made ready for the search: each allowed turn as convex parts, widened by half the spacing.
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <vector>
 
 #include "nest/convex_parts.h"
@@ -19,9 +21,16 @@ struct PartEdge {
     int eighth;    // 0, 2, 4, 6: right, up, left, down; 1, 3, 5, 7: between them, from right to up on
 };
 
-// A convex part's edges by their direction, as it is and mirrored at the origin.
+// The edges of a convex ring by their direction.
+struct RingEdges {
+    std::vector<PartEdge> edges;
+    std::array<std::uint32_t, 8> counts{};          // how many of each eighth
+    double x0 = 0.0, y0 = 0.0, x1 = 0.0, y1 = 0.0;  // box of its corners
+};
+
+// A convex part's, as it is and mirrored at the origin.
 struct PartEdges {
-    std::vector<PartEdge> plain, mirrored;
+    RingEdges plain, mirrored;
 };
 
 // A kind in one of its turns.
