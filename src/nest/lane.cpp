@@ -305,20 +305,7 @@ bool Lane::move_lot(int item, int sheet) {
 // Spreads the pieces of the emptiest sheet that can be done without over the others.
 bool Lane::dissolve() {
     const auto sheets = static_cast<int>(best_.rows.size());
-    std::vector<double> areas(best_.rows.size(), 0.0);
-    std::vector<char> fixed(best_.rows.size(), 0);
-    for (std::size_t i = 0; i < best_.stands.size(); ++i) {
-        areas[index(best_.stands[i].sheet)] += task_.set.areas[index(task_.kinds[i])];
-        // Locks name their sheets by number, so those below stay too.
-        if (!task_.is_locked(static_cast<int>(i))) continue;
-        for (int s = 0; s <= best_.stands[i].sheet; ++s) fixed[index(s)] = 1;
-    }
-    std::vector<int> order(best_.rows.size());
-    std::iota(order.begin(), order.end(), 0);
-    std::stable_sort(order.begin(), order.end(),
-                     [&](int a, int b) { return areas[index(a)] < areas[index(b)]; });
-    for (const int victim : order) {
-        if (fixed[index(victim)] != 0) continue;
+    for (const int victim : emptiest_sheets(task_, best_)) {
         rows_ = best_.rows;
         set_out(best_.stands);
         bool moved = true;

@@ -8,6 +8,7 @@
 
 #include "nest/bounds.h"
 #include "nest/construct.h"
+#include "nest/fill.h"
 #include "nest/lane.h"
 #include "popup/diagnostics.h"
 
@@ -16,10 +17,14 @@ namespace {
 
 // Searchers side by side. Their number is part of the result, so it does not depend on the machine.
 constexpr int kLanes = 2;
-// Shares of the effort: to do with fewer sheets, to shorten the last one from many starts; the rest
-// compresses.
+// Shares of the effort: to fill sheets with what lies on the emptiest, to do with fewer sheets, to shorten
+// the last one from many starts; the rest compresses.
+constexpr double kFillShare = 0.45;
 constexpr double kFewerShare = 0.6;
 constexpr double kShorterShare = 0.8;
+// Where fewer pieces than this are on a sheet, on average, taking all sheets apart at once finds more than
+// filling.
+constexpr std::size_t kFewOnSheet = 12;
 // The share of the effort beyond which no further first layout is made.
 constexpr double kBuildShare = 0.1;
 // The same of a hasty search, and how many there may be.
@@ -54,11 +59,10 @@ class Nester {
         if (job_.items.empty()) return {NestPlan{}, {}};
         if (auto refusal = find_refusal()) return {{}, std::move(refusal)};
         for (int i = 0; i < kLanes; ++i) {
-            lanes_.push_back(std::make_unique<Lane>(
-                task_, effort_.seed * 0x9E3779B97F4A7C15U + static_cast<std::uint64_t>(i) + 1U,
-                is_hasty() ? kHasty : Pace{}));
+            lanes_.push_back(std::make_unique<Lane>(task_, seed_of(i), is_hasty() ? kHasty : Pace{}));
         }
         if (auto refusal = first_layout()) return {{}, std::move(refusal)};
+        fill_sheets();
         fewer_sheets();
         smaller_sheets();
         emptiest_last();
@@ -101,8 +105,7 @@ class Nester {
                 outside.items.push_back(item);
                 continue;
             }
-            locked.push_back(
-                {lock.sheet, lock.shape, {static_cast<GridLength>(lock.x), static_cast<GridLength>(lock.y)}});
+            locked.push_back(exact_place(lock));
             numbers.push_back(item);
         }
         if (!large.items.empty()) return large;
@@ -136,6 +139,10 @@ class Nester {
                                {numbers[index(pair->first)], numbers[index(pair->second)]}};
         }
         return std::nullopt;
+    }
+
+    [[nodiscard]] std::uint64_t seed_of(int searcher) const {
+        return effort_.seed * 0x9E3779B97F4A7C15U + static_cast<std::uint64_t>(searcher) + 1U;
     }
 
     Refusal first_layout() {
@@ -176,6 +183,73 @@ class Nester {
         return length <= least * (1.0 + kHasty.content) + 1.0 && !could_be_fewer(task_, layout);
     }
 
+    // Moves what lies on the emptiest sheet to the others, and then what lies on the next.
+    void fill_sheets() {
+        if (job_.items.size() < kFewOnSheet * best_.rows.size()) return;
+        for (int i = 0; i < kLanes; ++i) fillers_.push_back(std::make_unique<Filler>(task_, ~seed_of(i)));
+        while (could_be_fewer(task_, best_) && spent() < kFillShare && !stopped()) {
+            const std::vector<int> victims = emptiest_sheets(task_, best_);
+            if (victims.empty() || !fill_from(victims.front())) break;
+        }
+        filled_work_ = work_;
+        fillers_.clear();
+    }
+
+    // True when the victim has become empty, and is gone.
+    bool fill_from(int victim) {
+        const int parts = std::min(kLanes, static_cast<int>(best_.rows.size()) - 1);
+        const double slice = slice_until(kFillShare);
+        while (spent() < kFillShare && !stopped()) {
+            for (int i = 0; i < parts; ++i) nth(fillers_, i)->begin(best_, victim, i, parts);
+            const auto one_is_done = [&] {
+                return std::any_of(fillers_.begin(), fillers_.begin() + parts,
+                                   [](const auto& f) { return f->done(); });
+            };
+            while (!one_is_done() && spent() < kFillShare && !stopped()) {
+                side_by_side(slice, parts, [&](int i) { nth(fillers_, i)->run(slice); });
+                tell();
+            }
+            const std::size_t sheets = best_.rows.size();
+            if (!take_filled(victim, parts)) return false;
+            if (best_.rows.size() < sheets) return true;
+        }
+        return false;
+    }
+
+    // False when nothing was moved, or what changed places finds none on the victim.
+    bool take_filled(int victim, int parts) {
+        Arrangement filled = best_;
+        bool exchanged = false;
+        for (int i = 0; i < parts; ++i) {
+            nth(fillers_, i)->put_into(filled);
+            exchanged = exchanged || nth(fillers_, i)->exchanged();
+        }
+        std::vector<int> left;
+        bool moved = false;
+        for (int item = 0; item < static_cast<int>(filled.stands.size()); ++item) {
+            if (nth(filled.stands, item).sheet == victim) left.push_back(item);
+            moved = moved || nth(filled.stands, item).sheet != nth(best_.stands, item).sheet;
+        }
+        if (!moved) return false;
+        // With less on it, it can be laid out shorter, too.
+        Arrangement again = filled;
+        if (lay_out(again, victim, nth(again.rows, victim), left)) {
+            if (exchanged || again.length(task_, victim) < filled.length(task_, victim))
+                filled = std::move(again);
+        } else if (exchanged) {
+            return false;
+        }
+        if (!filled.holds(task_)) return false;
+        if (left.empty()) {
+            filled.rows.erase(filled.rows.begin() + victim);
+            for (Stand& stand : filled.stands) {
+                if (stand.sheet > victim) --stand.sheet;
+            }
+        }
+        best_ = std::move(filled);
+        return true;
+    }
+
     void fewer_sheets() {
         while (could_be_fewer(task_, best_) && spent() < kFewerShare && !stopped()) {
             for (const auto& lane : lanes_) lane->begin(best_, Aim::fewer);
@@ -197,10 +271,6 @@ class Nester {
                 locked = locked || task_.is_locked(item);
             }
             if (locked) continue;
-            std::stable_sort(items.begin(), items.end(), [&](int a, int b) {
-                return task_.set.areas[index(task_.kinds[index(a)])] >
-                       task_.set.areas[index(task_.kinds[index(b)])];
-            });
             const auto size = [&](int row) {
                 return task_.rooms[index(row)].width * task_.rooms[index(row)].height;
             };
@@ -209,24 +279,30 @@ class Nester {
                 const auto taken = std::count(best_.rows.begin(), best_.rows.end(), *row);
                 const int count = job_.stock[index(*row)].count;
                 if (count >= 0 && taken >= count) continue;
-                if (replace(sheet, *row, items)) break;
+                if (lay_out(best_, sheet, *row, items)) break;
             }
         }
     }
 
-    bool replace(int sheet, int row, const std::vector<int>& items) {
+    // Lays out these items, which are all that lie on a sheet, anew on one of this row of the stock. False
+    // when it finds no place for one; then nothing has changed.
+    bool lay_out(Arrangement& layout, int sheet, int row, std::vector<int> items) {
+        std::stable_sort(items.begin(), items.end(), [&](int a, int b) {
+            return task_.set.areas[index(task_.kinds[index(a)])] >
+                   task_.set.areas[index(task_.kinds[index(b)])];
+        });
         Board board(task_.set, task_.loose, task_.kinds, {task_.rooms[index(row)]});
         std::vector<int> turns(task_.set.of_kind.size(), -1);
-        for (std::size_t i = 0; i < best_.stands.size(); ++i) {
+        for (std::size_t i = 0; i < layout.stands.size(); ++i) {
             if (job_.kinds[index(task_.kinds[i])].one_turn)
-                turns[index(task_.kinds[i])] = best_.stands[i].shape;
+                turns[index(task_.kinds[i])] = layout.stands[i].shape;
         }
         if (!place_on(task_, board, 0, items, lanes_[0]->dice(), kLines, turns)) return false;
         for (const int item : items) {
-            best_.stands[index(item)] = board.at(item);
-            best_.stands[index(item)].sheet = sheet;
+            layout.stands[index(item)] = board.at(item);
+            layout.stands[index(item)].sheet = sheet;
         }
-        best_.rows[index(sheet)] = row;
+        layout.rows[index(sheet)] = row;
         return true;
     }
 
@@ -258,17 +334,13 @@ class Nester {
     // Runs the lanes until one has found what it is after or the share of the effort is spent. True when it
     // was found.
     bool go_on(Aim aim, double until) {
-        const double slice = effort_.seconds
-                                 ? kClockSlice
-                                 : std::max(kLeastSlice, (until - spent()) * total_ / (kLanes * kMeetings));
+        const double slice = slice_until(until);
         const double begun = work_;
         double gained = work_;
         while (!stopped() && spent() < until) {
             if (shortens_hastily_ && work_ - gained > std::max(kIdle, gained - begun)) break;
             const double before = last_length();
-            run_lanes(slice);
-            work_ = 0.0;
-            for (const auto& lane : lanes_) work_ += lane->work();
+            side_by_side(slice, kLanes, [&](int i) { nth(lanes_, i)->run(slice); });
             const bool found = compare(aim);
             if (last_length() < before) gained = work_;
             tell();
@@ -314,20 +386,32 @@ class Nester {
         return found;
     }
 
-    void run_lanes(double slice) {
-        const int threads = slice < kLeastSlice * 2.0 ? 1 : allowed_threads();
+    [[nodiscard]] double slice_until(double until) const {
+        if (effort_.seconds) return kClockSlice;
+        return std::max(kLeastSlice, (until - spent()) * total_ / (kLanes * kMeetings));
+    }
+
+    // Runs the work of so many searchers, each of a slice, on the threads that may be used, and counts it.
+    template <typename Work>
+    void side_by_side(double slice, int searchers, const Work& run) {
+        const int threads = slice < kLeastSlice * 2.0 ? 1 : std::min(searchers, allowed_threads());
         const auto work = [&](int first) {
-            for (int i = first; i < kLanes; i += threads) lanes_[index(i)]->run(slice);
+            for (int i = first; i < searchers; i += threads) run(i);
         };
-        std::vector<std::jthread> others;
-        int begun = 1;
-        try {
-            for (; begun < threads; ++begun) others.emplace_back(work, begun);
-        } catch (const std::system_error&) {
-            // The system gives no more threads; this one does their work.
-            for (int i = begun; i < threads; ++i) work(i);
+        {
+            std::vector<std::jthread> others;
+            int begun = 1;
+            try {
+                for (; begun < threads; ++begun) others.emplace_back(work, begun);
+            } catch (const std::system_error&) {
+                // The system gives no more threads; this one does their work.
+                for (int i = begun; i < threads; ++i) work(i);
+            }
+            work(0);
         }
-        work(0);
+        work_ = filled_work_;
+        for (const auto& lane : lanes_) work_ += lane->work();
+        for (const auto& filler : fillers_) work_ += filler->work();
     }
 
     // Asks for threads when there is something for them to do, and keeps those it got.
@@ -396,11 +480,13 @@ class Nester {
     std::chrono::steady_clock::time_point start_;
     double total_;
     double work_ = 0.0;
+    double filled_work_ = 0.0;       // of work_, what fillers took that are gone
     double spent_before_ = 0.0;      // of work_, what total_ does not count
     bool shortens_hastily_ = false;  // total_ is what a hasty search for a shorter sheet has
     bool finished_ = false;
     int threads_ = 0;  // that may be used, this one among them; 0: nobody has been asked
     std::vector<std::unique_ptr<Lane>> lanes_;
+    std::vector<std::unique_ptr<Filler>> fillers_;
     Arrangement best_;
 };
 

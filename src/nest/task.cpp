@@ -105,18 +105,38 @@ bool Arrangement::better_than(const Arrangement& other, const NestTask& task) co
     return length(task, last) < other.length(task, last);
 }
 
+ExactPlace exact_place(const Stand& stand) {
+    return {stand.sheet, stand.shape, {static_cast<GridLength>(stand.x), static_cast<GridLength>(stand.y)}};
+}
+
+std::vector<int> emptiest_sheets(const NestTask& task, const Arrangement& layout) {
+    std::vector<double> areas(layout.rows.size(), 0.0);
+    int first = 0;
+    for (int item = 0; item < static_cast<int>(layout.stands.size()); ++item) {
+        const int sheet = nth(layout.stands, item).sheet;
+        nth(areas, sheet) += nth(task.set.areas, nth(task.kinds, item));
+        if (task.is_locked(item)) first = std::max(first, sheet + 1);
+    }
+    std::vector<int> order(layout.rows.size());
+    std::iota(order.begin(), order.end(), 0);
+    order.erase(order.begin(), order.begin() + first);
+    std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return nth(areas, a) < nth(areas, b); });
+    return order;
+}
+
 bool Arrangement::holds(const NestTask& task) const {
     std::vector<ExactPlace> places;
     places.reserve(stands.size());
     for (const Stand& stand : stands) {
-        const GridPoint at{static_cast<GridLength>(stand.x), static_cast<GridLength>(stand.y)};
+        const ExactPlace place = exact_place(stand);
+        const GridPoint at = place.at;
         const GridBox& box = task.set.shapes[index(stand.shape)].bounds;
         const NestStock& stock = task.job.stock[index(rows[index(stand.sheet)])];
         if (box.x0 + at.x < 0 || box.y0 + at.y < 0 || box.x1 + at.x > to_grid(stock.width) ||
             box.y1 + at.y > to_grid(stock.height)) {
             return false;
         }
-        places.push_back({stand.sheet, stand.shape, at});
+        places.push_back(place);
     }
     return !task.exact.first_conflict(places, to_grid(task.job.spacing));
 }

@@ -51,6 +51,13 @@ struct Arrangement {
     [[nodiscard]] bool holds(const NestTask& task) const;
 };
 
+// Where a stand is, for the exact check. Precondition: its coordinates are whole steps.
+ExactPlace exact_place(const Stand& stand);
+
+// The sheets that can be done without, the emptiest first: those with no lock on them nor on one after them,
+// since locks name their sheets by number.
+std::vector<int> emptiest_sheets(const NestTask& task, const Arrangement& layout);
+
 // The freedom of a search: locked items stay, items of a group stay on the sheets they are on, and items of a
 // kind that has one turn keep the shape they have.
 Freedom freedom_of(const NestTask& task, const std::vector<Stand>& stands);

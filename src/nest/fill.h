@@ -1,0 +1,80 @@
+// Filling sheets: what lies on the emptiest of them goes to the others, piece by piece.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "nest/task.h"
+
+namespace popup {
+
+// One of several that fill the sheets of a layout side by side. Each has sheets of its own to fill, and
+// pieces of its own to move, so that what they find goes together whatever the others do.
+//
+// An attempt throws a lot of the victim (a piece, or the pieces of a group) onto one other sheet, where it
+// overlaps least of some random places, and takes the pieces of that sheet apart. That is a small search,
+// however many sheets there are. Sheets that refuse a lot are tried less often, and for longer. Where a sheet
+// refuses again and again, a piece of it may change places with a larger one of the victim.
+class Filler {
+ public:
+    // Precondition: the task outlives the filler.
+    Filler(NestTask& task, std::uint64_t seed);
+
+    // Fills every `parts`th of the sheets that are not the victim, from number `part` on, with every
+    // `parts`th of the victim's lots. Preconditions: the layout holds; what lies on the victim is not locked.
+    void begin(const Arrangement& from, int victim, int part, int parts);
+    // Looks for so much work more. Ends early when `done()`.
+    void run(double work);
+    // Nothing is left to move, or the sheets have refused very often since they took the last.
+    [[nodiscard]] bool done() const { return done_; }
+    // Of the items that lie on its sheets now or did when it began, where they lie. Those that came to the
+    // victim in exchange have no place on it yet: they are at the place where they were.
+    void put_into(Arrangement& layout) const;
+    // Whether any came to the victim.
+    [[nodiscard]] bool exchanged() const { return exchanged_; }
+    [[nodiscard]] double work() const { return board_.work; }
+
+ private:
+    // A sheet to fill.
+    struct Receiver {
+        int sheet = 0;
+        double free = 0.0;  // mm² that no piece covers
+        int refusals = 0;   // since it took the last
+        std::vector<int> items = {};
+    };
+
+    [[nodiscard]] double area_of(int item) const { return nth(task_.set.areas, nth(task_.kinds, item)); }
+    [[nodiscard]] double area_of(const std::vector<int>& items) const;
+    void choose_lots(int part, int parts);
+    void choose_receivers(int part, int parts);
+    [[nodiscard]] int any_receiver();
+    [[nodiscard]] bool fits_on_victim(int item) const;
+    [[nodiscard]] std::optional<int> for_exchange(const Receiver& receiver, const std::vector<int>& lot);
+    bool throw_on(int item);
+    bool attempt();
+    void set_off();
+    void finish(Separator::State state);
+    void succeed();
+    [[nodiscard]] bool holds() const;
+
+    NestTask& task_;
+    Board board_;  // with the sheet of the attempt alone
+    Dice dice_;
+    int victim_ = 0;
+    Arrangement layout_;
+    Freedom freedom_;
+    std::vector<Receiver> receivers_;
+    std::vector<std::vector<int>> lots_;  // that are left to move
+    bool exchanged_ = false;
+    int refusals_ = 0;  // of all receivers, since one took a lot
+    bool done_ = false;
+    // The attempt.
+    std::unique_ptr<Separator> separator_;
+    bool loose_ = false;        // it has come to the table with room for rounding
+    int receiver_ = 0;          // its number in receivers_
+    int lot_ = 0;               // its number in lots_
+    std::optional<int> given_;  // the item that goes to the victim in exchange
+};
+
+}  // namespace popup
