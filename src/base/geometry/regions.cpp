@@ -1,6 +1,7 @@
 #include "base/geometry/regions.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <polyclipping/clipper.hpp>
@@ -101,13 +102,37 @@ Ring to_ring(const Path& path) {
     return ring;
 }
 
-// Whether the hole lies in the outer ring, given that the two do not cross.
+// How far rounding to the grid may move what the clipper makes across another ring's edge, in steps.
+constexpr int kRounding = 2;
+
+// Whether an edge of the ring comes so near the point that rounding may have put it on the wrong side.
+bool comes_near(const IntPoint& p, const Path& ring) {
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+        const IntPoint& a = ring[i];
+        const IntPoint& b = ring[i + 1 == ring.size() ? 0 : i + 1];
+        if (p.X < std::min(a.X, b.X) - kRounding || p.X > std::max(a.X, b.X) + kRounding ||
+            p.Y < std::min(a.Y, b.Y) - kRounding || p.Y > std::max(a.Y, b.Y) + kRounding) {
+            continue;
+        }
+        const auto dx = static_cast<double>(b.X - a.X);
+        const auto dy = static_cast<double>(b.Y - a.Y);
+        const double off = dx * static_cast<double>(p.Y - a.Y) - dy * static_cast<double>(p.X - a.X);
+        if (std::abs(off) <= kRounding * std::sqrt(dx * dx + dy * dy)) return true;
+    }
+    return false;
+}
+
+// Whether the hole lies in the outer ring, given that the two cross by no more than rounding does. Its first
+// corner that is not near the ring tells; where all are, the first that is not on it does.
 bool lies_in(const Path& hole, const Path& outer) {
+    std::optional<bool> likely;
     for (const IntPoint& p : hole) {
         const int where = ClipperLib::PointInPolygon(p, outer);
-        if (where >= 0) return where > 0;
+        if (where < 0) continue;
+        if (!comes_near(p, outer)) return where > 0;
+        if (!likely) likely = where > 0;
     }
-    return true;  // every corner touches the outer ring: only from inside can that be
+    return likely.value_or(true);  // every corner touches the outer ring: only from inside can that be
 }
 
 struct GridBox {
@@ -156,15 +181,17 @@ std::vector<Polygon> to_polygons(Paths paths) {
     }
     const EdgeIndex index(std::move(diagonals));
     std::vector<int> found;
+    const Vec2 rounding{kRounding * kGridMm, kRounding * kGridMm};
     for (const Path& hole : holes) {
         const GridBox h = box_of(hole);
         const Vec2 corner = to_mm(hole.front());
-        index.query({corner, corner}, found);
+        index.query({corner - rounding, corner + rounding}, found);
         std::vector<std::pair<double, std::size_t>> around;
         for (const int number : found) {
             const auto i = static_cast<std::size_t>(number);
             const GridBox& b = boxes[i];
-            if (b.x0 <= h.x0 && b.y0 <= h.y0 && b.x1 >= h.x1 && b.y1 >= h.y1) {
+            if (b.x0 - kRounding <= h.x0 && b.y0 - kRounding <= h.y0 && b.x1 + kRounding >= h.x1 &&
+                b.y1 + kRounding >= h.y1) {
                 around.emplace_back(static_cast<double>(b.x1 - b.x0) * static_cast<double>(b.y1 - b.y0), i);
             }
         }

@@ -150,6 +150,37 @@ TEST(Regions, AHoleBelongsToTheSmallestRingAroundIt) {
     EXPECT_DOUBLE_EQ(area(result), 2500.0 - 1600.0 + 900.0 - 100.0 + 9.0);
 }
 
+// Rounded to the grid, the corners of a hole on a slanting edge may lie on either side of it.
+TEST(Regions, AHoleOnASlantingEdgeBelongsToTheRingThatItIsIn) {
+    std::mt19937 random(4);
+    int holes = 0;
+    for (int round = 0; round < 300; ++round) {
+        // Two rings with a gap of 1 mm between them, along lines that are nearly upright.
+        const double lean = static_cast<double>(random() % 20000) * 1e-6 - 0.01;
+        const auto at = [lean](double x, double y) { return on_grid({x + lean * y / 70.0, y}); };
+        // The left one goes on below the right one: its box holds the other.
+        const Polygon left{{{-105, -20}, {0, -20}, {0, -5}, {-43, -5}, at(-43, 0), at(-43, 70), at(-105, 70)},
+                           {}};
+        const Polygon right{{at(-42, 0), {0, 0}, {0, 70}, at(-42, 70)}, {}};
+        const double low = 10.0 + static_cast<double>(random() % 40000) * 1e-3;
+        const Polygon notch{{at(-42, low), {-37, low}, {-37, low + 3}, at(-42, low + 3)}, {}};
+        const std::vector<Polygon> what = intersect({notch}, {left, right});
+        const std::vector<Polygon> made = subtract({left, right}, what);
+        ASSERT_EQ(made.size(), 2U);
+        double sum = 0.0;
+        for (const Polygon& one : made) {
+            sum += area(one);
+            for (const Ring& hole : one.holes) {
+                const Vec2 middle = 0.5 * (bounds(hole).min + bounds(hole).max);
+                EXPECT_TRUE(contains(Polygon{one.outer, {}}, middle)) << round;
+                ++holes;
+            }
+        }
+        EXPECT_NEAR(sum, area(left) + area(right) - area(notch), 1e-3) << round;
+    }
+    EXPECT_GT(holes, 10);  // the others are notches
+}
+
 TEST(Regions, ResultsDoNotDependOnTheOrderOfTheInput) {
     std::mt19937 random(11);
     std::vector<Polygon> parts;
