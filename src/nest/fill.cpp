@@ -39,7 +39,7 @@ void Filler::begin(const Arrangement& from, int victim, int part, int parts) {
     separator_.reset();
     layout_ = from;
     victim_ = victim;
-    exchanged_ = false;
+    moved_ = false;
     refusals_ = 0;
     choose_receivers(part, parts);
     choose_lots(part, parts);
@@ -208,6 +208,7 @@ void Filler::succeed() {
     lots_.erase(lots_.begin() + lot_);
     receiver.refusals = 0;
     refusals_ = 0;
+    moved_ = true;
     receiver.items = board_.on_sheet(0);
     // In an order that says nothing of the search.
     std::sort(receiver.items.begin(), receiver.items.end());
@@ -220,12 +221,11 @@ void Filler::succeed() {
         receiver.free += area_of(*given_);
         nth(layout_.stands, *given_).sheet = victim_;
         lots_.push_back({*given_});
-        exchanged_ = true;
     }
     done_ = lots_.empty();
 }
 
-void Filler::put_into(Arrangement& layout) const {
+bool Filler::put_into(Arrangement& layout) const {
     for (const Receiver& receiver : receivers_) {
         for (const int item : receiver.items) nth(layout.stands, item) = nth(layout_.stands, item);
     }
@@ -233,6 +233,7 @@ void Filler::put_into(Arrangement& layout) const {
     for (const std::vector<int>& lot : lots_) {
         for (const int item : lot) nth(layout.stands, item) = nth(layout_.stands, item);
     }
+    return moved_;
 }
 
 }  // namespace popup

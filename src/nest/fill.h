@@ -22,17 +22,16 @@ class Filler {
     Filler(NestTask& task, std::uint64_t seed);
 
     // Fills every `parts`th of the sheets that are not the victim, from number `part` on, with every
-    // `parts`th of the victim's lots. Preconditions: the layout holds; what lies on the victim is not locked.
+    // `parts`th of the victim's lots. Preconditions: the layout holds but for what lies on the
+    // victim, of which nothing is locked.
     void begin(const Arrangement& from, int victim, int part, int parts);
     // Looks for so much work more. Ends early when `done()`.
     void run(double work);
     // Nothing is left to move, or the sheets have refused very often since they took the last.
     [[nodiscard]] bool done() const { return done_; }
-    // Of the items that lie on its sheets now or did when it began, where they lie. Those that came to the
-    // victim in exchange have no place on it yet: they are at the place where they were.
-    void put_into(Arrangement& layout) const;
-    // Whether any came to the victim.
-    [[nodiscard]] bool exchanged() const { return exchanged_; }
+    // Puts into the layout where the items of its sheets lie now, and its lots. What came to the victim in
+    // exchange has no place on it yet, and is at the place where it was. False when nothing has moved.
+    bool put_into(Arrangement& layout) const;
     [[nodiscard]] double work() const { return board_.work; }
 
  private:
@@ -66,8 +65,8 @@ class Filler {
     Freedom freedom_;
     std::vector<Receiver> receivers_;
     std::vector<std::vector<int>> lots_;  // that are left to move
-    bool exchanged_ = false;
-    int refusals_ = 0;  // of all receivers, since one took a lot
+    bool moved_ = false;                  // anything since it began
+    int refusals_ = 0;                    // of all receivers, since one took a lot
     bool done_ = false;
     // The attempt.
     std::unique_ptr<Separator> separator_;

@@ -166,11 +166,13 @@ class Nester {
         }
         best_ = std::move(best.arrangement);
         if (best.left_out.empty()) return std::nullopt;
-        std::sort(best.left_out.begin(), best.left_out.end());
         if (!best.hopeless) {
+            best.left_out = fill_in(std::move(best.left_out));
+            if (best.left_out.empty()) return std::nullopt;
             for (const auto& lane : lanes_) lane->begin(best_, Aim::fit);
             if (go_on(Aim::fit, kFewerShare)) return std::nullopt;
         }
+        std::sort(best.left_out.begin(), best.left_out.end());
         return NestRefusal{
             best.alone ? NestRefusal::Reason::group_too_large : NestRefusal::Reason::stock_used_up,
             std::move(best.left_out)};
@@ -183,71 +185,100 @@ class Nester {
         return length <= least * (1.0 + kHasty.content) + 1.0 && !could_be_fewer(task_, layout);
     }
 
-    // Moves what lies on the emptiest sheet to the others, and then what lies on the next.
-    void fill_sheets() {
-        if (job_.items.size() < kFewOnSheet * best_.rows.size()) return;
+    // Whether filling finds more than taking all sheets apart at once.
+    [[nodiscard]] bool fills() const { return job_.items.size() >= kFewOnSheet * best_.rows.size(); }
+
+    void begin_filling() {
         for (int i = 0; i < kLanes; ++i) fillers_.push_back(std::make_unique<Filler>(task_, ~seed_of(i)));
-        while (could_be_fewer(task_, best_) && spent() < kFillShare && !stopped()) {
-            const std::vector<int> victims = emptiest_sheets(task_, best_);
-            if (victims.empty() || !fill_from(victims.front())) break;
-        }
+    }
+    void end_filling() {
         filled_work_ = work_;
         fillers_.clear();
     }
 
-    // True when the victim has become empty, and is gone.
-    bool fill_from(int victim) {
+    // Moves what lies on the emptiest sheet to the others, and then what lies on the next.
+    void fill_sheets() {
+        if (!fills()) return;
+        begin_filling();
+        bool gone = true;
+        while (gone && could_be_fewer(task_, best_) && spent() < kFillShare && !stopped()) {
+            const std::vector<int> victims = emptiest_sheets(task_, best_);
+            if (victims.empty()) break;
+            const int victim = victims.front();
+            const Arrangement before = best_;
+            fill_from(victim);
+            gone = items_on(victim).empty();
+            gone ? drop(victim) : lay_out_anew(victim);
+            // What came to the victim in exchange may find no place on it.
+            if (!best_.holds(task_)) {
+                best_ = before;
+                gone = false;
+            }
+        }
+        end_filling();
+    }
+
+    // Moves what found no place to the sheets that there are, as from one more. Gives what is left: it lies
+    // over others.
+    std::vector<int> fill_in(std::vector<int> left_out) {
+        if (!fills()) return left_out;
+        const std::vector<Stand> before = best_.stands;
+        const auto spare = static_cast<int>(best_.rows.size());
+        best_.rows.push_back(task_.largest_first.front());
+        for (const int item : left_out) nth(best_.stands, item).sheet = spare;
+        begin_filling();
+        fill_from(spare);
+        end_filling();
+        left_out = items_on(spare);
+        for (const int item : left_out) nth(best_.stands, item) = nth(before, item);
+        best_.rows.pop_back();
+        return left_out;
+    }
+
+    [[nodiscard]] std::vector<int> items_on(int sheet) const {
+        std::vector<int> items;
+        for (int item = 0; item < static_cast<int>(best_.stands.size()); ++item) {
+            if (nth(best_.stands, item).sheet == sheet) items.push_back(item);
+        }
+        return items;
+    }
+
+    void drop(int sheet) {
+        best_.rows.erase(best_.rows.begin() + sheet);
+        for (Stand& stand : best_.stands) {
+            if (stand.sheet > sheet) --stand.sheet;
+        }
+    }
+
+    // Fills the others with what lies on the victim, which is then no layout any more: what came in exchange
+    // has no place on it.
+    void fill_from(int victim) {
         const int parts = std::min(kLanes, static_cast<int>(best_.rows.size()) - 1);
         const double slice = slice_until(kFillShare);
-        while (spent() < kFillShare && !stopped()) {
+        const auto goes_on = [&] { return spent() < kFillShare && !stopped(); };
+        bool moved = true;
+        while (moved && goes_on()) {
             for (int i = 0; i < parts; ++i) nth(fillers_, i)->begin(best_, victim, i, parts);
+            // When one has nothing more to do, they share what is left.
             const auto one_is_done = [&] {
                 return std::any_of(fillers_.begin(), fillers_.begin() + parts,
-                                   [](const auto& f) { return f->done(); });
+                                   [](const auto& filler) { return filler->done(); });
             };
-            while (!one_is_done() && spent() < kFillShare && !stopped()) {
+            while (!one_is_done() && goes_on()) {
                 side_by_side(slice, parts, [&](int i) { nth(fillers_, i)->run(slice); });
                 tell();
             }
-            const std::size_t sheets = best_.rows.size();
-            if (!take_filled(victim, parts)) return false;
-            if (best_.rows.size() < sheets) return true;
+            moved = false;
+            for (int i = 0; i < parts; ++i) moved = nth(fillers_, i)->put_into(best_) || moved;
         }
-        return false;
     }
 
-    // False when nothing was moved, or what changed places finds none on the victim.
-    bool take_filled(int victim, int parts) {
-        Arrangement filled = best_;
-        bool exchanged = false;
-        for (int i = 0; i < parts; ++i) {
-            nth(fillers_, i)->put_into(filled);
-            exchanged = exchanged || nth(fillers_, i)->exchanged();
-        }
-        std::vector<int> left;
-        bool moved = false;
-        for (int item = 0; item < static_cast<int>(filled.stands.size()); ++item) {
-            if (nth(filled.stands, item).sheet == victim) left.push_back(item);
-            moved = moved || nth(filled.stands, item).sheet != nth(best_.stands, item).sheet;
-        }
-        if (!moved) return false;
-        // With less on it, it can be laid out shorter, too.
-        Arrangement again = filled;
-        if (lay_out(again, victim, nth(again.rows, victim), left)) {
-            if (exchanged || again.length(task_, victim) < filled.length(task_, victim))
-                filled = std::move(again);
-        } else if (exchanged) {
-            return false;
-        }
-        if (!filled.holds(task_)) return false;
-        if (left.empty()) {
-            filled.rows.erase(filled.rows.begin() + victim);
-            for (Stand& stand : filled.stands) {
-                if (stand.sheet > victim) --stand.sheet;
-            }
-        }
-        best_ = std::move(filled);
-        return true;
+    // Lays out a sheet anew if it becomes shorter by that, or is no layout as it is.
+    void lay_out_anew(int sheet) {
+        Arrangement again = best_;
+        if (!lay_out(again, sheet, nth(again.rows, sheet), items_on(sheet))) return;
+        if (again.length(task_, sheet) < best_.length(task_, sheet) || !best_.holds(task_))
+            best_ = std::move(again);
     }
 
     void fewer_sheets() {
