@@ -135,7 +135,7 @@ class Settler {
             Figure::Label& label = labels.emplace_back(std::move(figure_.labels[i]));
             label.at = *places_[i];
             const std::string text = named_[i] ? label.text : short_of[i];
-            if (!named_[i] && label.brief.empty()) listed.push_back(fmt::format("{} {}", text, label.text));
+            if (!named_[i] && label.brief.empty()) listed.push_back(fmt::format("{} = {}", text, label.text));
             label.text = text;
             label.brief.clear();
         }

@@ -209,7 +209,7 @@ TEST_P(BookOfNarrowPanels, NamesEachWhereItCanBeRead) {
             const std::string name = plate.name.substr(plate.name.find('/') + 1);
             if (names.contains(name)) continue;
             std::smatch number;
-            ASSERT_TRUE(std::regex_search(listed, number, std::regex("([0-9]+) " + name + "[,.]"))) << name;
+            ASSERT_TRUE(std::regex_search(listed, number, std::regex("([0-9]+) = " + name + "[,.]"))) << name;
             EXPECT_TRUE(names.contains(number[1])) << number[1];
         }
     }
@@ -229,14 +229,14 @@ TEST(PanelLabels, GiveWayToNumbersThatWouldHaveNoPlace) {
     figure.labels = {{"panel-7", {50.0, 20.0}, {}, 0.0},
                      {"left-lining", {52.0, 20.0}, {}, 0.0},
                      {"right", {50.0, 40.0}, {}, 0.0}};
-    EXPECT_EQ(book::settle_labels(figure), "In the drawing: 1 panel-7.");
+    EXPECT_EQ(book::settle_labels(figure), "In the drawing: 1 = panel-7.");
     ASSERT_EQ(figure.labels.size(), 2U);
     EXPECT_EQ(figure.labels[0].text, "1");
     EXPECT_EQ(figure.labels[1].text, "right");
     // Where there is another place, both are there.
     figure.labels = {{"panel-7", {50.0, 20.0}, {}, 0.0},
                      {"left-lining", {52.0, 20.0}, {}, 0.0, {{52.0, 30.0}}}};
-    EXPECT_EQ(book::settle_labels(figure), "In the drawing: 1 left-lining.");
+    EXPECT_EQ(book::settle_labels(figure), "In the drawing: 1 = left-lining.");
     ASSERT_EQ(figure.labels.size(), 2U);
     EXPECT_EQ(figure.labels[0].text, "panel-7");
     EXPECT_EQ(figure.labels[1].at.y, 30.0);
@@ -249,7 +249,7 @@ TEST(PanelLabels, AreLettersWhereNumbersWouldBeTakenForOthers) {
     figure.height_mm = 100.0;
     figure.letters_only = true;
     figure.labels = {{"boat: 1. far", {20.0, 20.0}, {}, 5.0}, {"boat: 2. near", {90.0, 20.0}, {}, 60.0}};
-    EXPECT_EQ(book::settle_labels(figure), "In the drawing: a boat: 1. far.");
+    EXPECT_EQ(book::settle_labels(figure), "In the drawing: a = boat: 1. far.");
 }
 
 // "2. castle" is "2" where it is wider than its piece, and what has no number of its own has a letter then.
@@ -262,7 +262,7 @@ TEST(PanelLabels, GiveWayToNumbersOfPiecesAndToLetters) {
                      {"3. wide-strip", {90.0, 20.0}, "3", 60.0},
                      {"long-unnumbered", {88.0, 21.0}, {}, 0.0, {{88.0, 40.0}}},
                      {"narrow-unnumbered", {30.0, 70.0}, {}, 9.0}};
-    EXPECT_EQ(book::settle_labels(figure), "In the drawing: a long-unnumbered, b narrow-unnumbered.");
+    EXPECT_EQ(book::settle_labels(figure), "In the drawing: a = long-unnumbered, b = narrow-unnumbered.");
     ASSERT_EQ(figure.labels.size(), 5U);
     EXPECT_EQ(figure.labels[0].text, "1");
     EXPECT_EQ(figure.labels[1].text, "2");
