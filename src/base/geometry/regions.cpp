@@ -105,7 +105,7 @@ Ring to_ring(const Path& path) {
 // How far rounding to the grid may move what the clipper makes across another ring's edge, in steps.
 constexpr int kRounding = 2;
 
-// Whether an edge of the ring comes so near the point that rounding may have put it on the wrong side.
+// Whether an edge of the ring comes so near the point that rounding may have put the point on its wrong side.
 bool comes_near(const IntPoint& p, const Path& ring) {
     for (std::size_t i = 0; i < ring.size(); ++i) {
         const IntPoint& a = ring[i];
@@ -122,8 +122,9 @@ bool comes_near(const IntPoint& p, const Path& ring) {
     return false;
 }
 
-// Whether the hole lies in the outer ring, given that the two cross by no more than rounding does. Its first
-// corner that is not near the ring tells; where all are, the first that is not on it does.
+// Whether the hole lies in the outer ring, which has more area, given that the two cross by no more than
+// rounding does. Its first corner that is not near the ring tells; where all are, the first that is not on it
+// does.
 bool lies_in(const Path& hole, const Path& outer) {
     std::optional<bool> likely;
     for (const IntPoint& p : hole) {
@@ -132,7 +133,8 @@ bool lies_in(const Path& hole, const Path& outer) {
         if (!comes_near(p, outer)) return where > 0;
         if (!likely) likely = where > 0;
     }
-    return likely.value_or(true);  // every corner touches the outer ring: only from inside can that be
+    // Every corner is on the outer ring, which is the larger of the two: that is round the hole.
+    return likely.value_or(true);
 }
 
 struct GridBox {
@@ -173,8 +175,10 @@ std::vector<Polygon> to_polygons(Paths paths) {
     }
     // An outer ring is found through its box's diagonal, whose box is the same.
     std::vector<GridBox> boxes;
+    std::vector<double> areas;
     std::vector<Segment> diagonals;
     for (const Path& outer : outers) {
+        areas.push_back(ClipperLib::Area(outer));
         boxes.push_back(box_of(outer));
         const GridBox& b = boxes.back();
         diagonals.push_back({to_mm(IntPoint(b.x0, b.y0)), to_mm(IntPoint(b.x1, b.y1))});
@@ -184,6 +188,7 @@ std::vector<Polygon> to_polygons(Paths paths) {
     const Vec2 rounding{kRounding * kGridMm, kRounding * kGridMm};
     for (const Path& hole : holes) {
         const GridBox h = box_of(hole);
+        const double area = -ClipperLib::Area(hole);
         const Vec2 corner = to_mm(hole.front());
         index.query({corner - rounding, corner + rounding}, found);
         std::vector<std::pair<double, std::size_t>> around;
@@ -191,7 +196,7 @@ std::vector<Polygon> to_polygons(Paths paths) {
             const auto i = static_cast<std::size_t>(number);
             const GridBox& b = boxes[i];
             if (b.x0 - kRounding <= h.x0 && b.y0 - kRounding <= h.y0 && b.x1 + kRounding >= h.x1 &&
-                b.y1 + kRounding >= h.y1) {
+                b.y1 + kRounding >= h.y1 && areas[i] > area) {
                 around.emplace_back(static_cast<double>(b.x1 - b.x0) * static_cast<double>(b.y1 - b.y0), i);
             }
         }
