@@ -10,7 +10,7 @@ namespace {
 constexpr std::size_t kFewChords = 47;
 // What it costs to put a chord in order, in looks.
 constexpr double kSorting = 6.0;
-// What it costs to make the box of a no-fit part, and to make the rest of it and look at it, in looks.
+// What it costs to make the box of a no-fit part, and to make the rest of it, in looks.
 constexpr double kMakingBox = 1.0;
 constexpr double kMaking = 8.0;
 // What it costs to set a weight anew, in looks.

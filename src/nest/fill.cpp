@@ -16,7 +16,7 @@ constexpr int kPatience = 5;
 // exchange, and after how many of each, on average, there is nothing more to find.
 constexpr double kFading = 0.85;
 constexpr int kBeforeExchange = 3;
-constexpr int kFull = 40;
+constexpr int kMostRefusals = 40;
 // Pieces that are looked at for an exchange, and how large the one that goes may be beside the one that
 // comes.
 constexpr int kLooks = 4;
@@ -25,6 +25,18 @@ constexpr double kSmaller = 0.98;
 constexpr double kSettingOut = 100.0;
 
 }  // namespace
+
+std::vector<std::vector<int>> lots_on(const NestTask& task, const Arrangement& layout, int sheet) {
+    std::vector<std::vector<int>> lots;
+    std::vector<char> seen(task.groups.size(), 0);
+    for (int item = 0; item < static_cast<int>(layout.stands.size()); ++item) {
+        if (nth(layout.stands, item).sheet != sheet) continue;
+        const int group = nth(task.group_of, item);
+        if (group >= 0 && std::exchange(nth(seen, group), 1) != 0) continue;
+        lots.push_back(group < 0 ? std::vector<int>{item} : nth(task.groups, group));
+    }
+    return lots;
+}
 
 Filler::Filler(NestTask& task, std::uint64_t seed)
     : task_(task), board_(task.set, task.first_table(), task.kinds, {}), dice_(seed) {}
@@ -42,7 +54,9 @@ void Filler::begin(const Arrangement& from, int victim, int part, int parts) {
     moved_ = false;
     refusals_ = 0;
     choose_receivers(part, parts);
-    choose_lots(part, parts);
+    lots_.clear();
+    const std::vector<std::vector<int>> all = lots_on(task_, from, victim);
+    for (int i = part; i < static_cast<int>(all.size()); i += parts) lots_.push_back(nth(all, i));
     done_ = receivers_.empty() || lots_.empty();
     // The board has one sheet, the first.
     std::vector<Stand> stands = from.stands;
@@ -58,26 +72,14 @@ void Filler::choose_receivers(int part, int parts) {
         if (sheet == victim_ || count++ % parts != part) continue;
         const Room& room = nth(task_.rooms, nth(layout_.rows, sheet));
         nth(number, sheet) = static_cast<int>(receivers_.size());
-        receivers_.push_back({sheet, room.width * room.height / (kGridSteps * kGridSteps)});
+        // Areas are sums that round: what fills a sheet to the last step fits.
+        receivers_.push_back({sheet, room.width * room.height / (kGridSteps * kGridSteps) * (1.0 + 1e-9)});
     }
     for (int item = 0; item < static_cast<int>(layout_.stands.size()); ++item) {
         const int own = nth(number, nth(layout_.stands, item).sheet);
         if (own < 0) continue;
         nth(receivers_, own).items.push_back(item);
         nth(receivers_, own).free -= area_of(item);
-    }
-}
-
-void Filler::choose_lots(int part, int parts) {
-    lots_.clear();
-    std::vector<char> seen(task_.groups.size(), 0);
-    int count = 0;
-    for (int item = 0; item < static_cast<int>(layout_.stands.size()); ++item) {
-        if (nth(layout_.stands, item).sheet != victim_) continue;
-        const int group = nth(task_.group_of, item);
-        if (group >= 0 && std::exchange(nth(seen, group), 1) != 0) continue;
-        if (count++ % parts != part) continue;
-        lots_.push_back(group < 0 ? std::vector<int>{item} : nth(task_.groups, group));
     }
 }
 
@@ -93,14 +95,14 @@ void Filler::run(double work) {
 
 // The number of a receiver: the more likely the more room it has, and the less often it has refused.
 int Filler::any_receiver() {
-    const auto likely = [](const Receiver& receiver) {
+    const auto chance = [](const Receiver& receiver) {
         return std::max(0.0, receiver.free) * std::pow(kFading, receiver.refusals);
     };
     double sum = 0.0;
-    for (const Receiver& receiver : receivers_) sum += likely(receiver);
+    for (const Receiver& receiver : receivers_) sum += chance(receiver);
     double at = dice_.unit() * sum;
     for (int i = 0; i < static_cast<int>(receivers_.size()); ++i) {
-        at -= likely(nth(receivers_, i));
+        at -= chance(nth(receivers_, i));
         if (at < 0.0) return i;
     }
     return static_cast<int>(receivers_.size()) - 1;
@@ -184,7 +186,7 @@ void Filler::finish(Separator::State state) {
     separator_.reset();
     if (state == Separator::State::stuck) {
         ++nth(receivers_, receiver_).refusals;
-        done_ = ++refusals_ > kFull * static_cast<int>(receivers_.size());
+        done_ = ++refusals_ > kMostRefusals * static_cast<int>(receivers_.size());
     } else if (loose_ || holds()) {
         succeed();
     } else {
@@ -225,7 +227,7 @@ void Filler::succeed() {
     done_ = lots_.empty();
 }
 
-bool Filler::put_into(Arrangement& layout) const {
+void Filler::put_into(Arrangement& layout) const {
     for (const Receiver& receiver : receivers_) {
         for (const int item : receiver.items) nth(layout.stands, item) = nth(layout_.stands, item);
     }
@@ -233,7 +235,6 @@ bool Filler::put_into(Arrangement& layout) const {
     for (const std::vector<int>& lot : lots_) {
         for (const int item : lot) nth(layout.stands, item) = nth(layout_.stands, item);
     }
-    return moved_;
 }
 
 }  // namespace popup

@@ -9,12 +9,15 @@
 
 namespace popup {
 
+// The lots of a sheet: its pieces, those of a group together.
+std::vector<std::vector<int>> lots_on(const NestTask& task, const Arrangement& layout, int sheet);
+
 // One of several that fill the sheets of a layout side by side. Each has sheets of its own to fill, and
 // pieces of its own to move, so that what they find goes together whatever the others do.
 //
 // An attempt throws a lot of the victim (a piece, or the pieces of a group) onto one other sheet, where it
-// overlaps least of some random places, and takes the pieces of that sheet apart. That is a small search,
-// however many sheets there are. Sheets that refuse a lot are tried less often, and for longer. Where a sheet
+// overlaps least of some random places, and takes the pieces of that sheet apart. That is a small search
+// beside one of all sheets. A sheet that refuses lots is tried less often, and for longer. Where a sheet
 // refuses again and again, a piece of it may change places with a larger one of the victim.
 class Filler {
  public:
@@ -22,16 +25,18 @@ class Filler {
     Filler(NestTask& task, std::uint64_t seed);
 
     // Fills every `parts`th of the sheets that are not the victim, from number `part` on, with every
-    // `parts`th of the victim's lots. Preconditions: the layout holds but for what lies on the
-    // victim, of which nothing is locked.
+    // `parts`th of the victim's lots. Preconditions: the layout holds but for what lies on the victim, of
+    // which nothing is locked, and each of whose groups lies wholly on it.
     void begin(const Arrangement& from, int victim, int part, int parts);
     // Looks for so much work more. Ends early when `done()`.
     void run(double work);
     // Nothing is left to move, or the sheets have refused very often since they took the last.
     [[nodiscard]] bool done() const { return done_; }
-    // Puts into the layout where the items of its sheets lie now, and its lots. What came to the victim in
-    // exchange has no place on it yet, and is at the place where it was. False when nothing has moved.
-    bool put_into(Arrangement& layout) const;
+    // Whether anything has moved since it began.
+    [[nodiscard]] bool moved() const { return moved_; }
+    // Writes into the layout where the items of its own sheets and of its own lots are now. What came to the
+    // victim in exchange has no place on it yet, and is where it was on its own sheet.
+    void put_into(Arrangement& layout) const;
     [[nodiscard]] double work() const { return board_.work; }
 
  private:
@@ -45,7 +50,6 @@ class Filler {
 
     [[nodiscard]] double area_of(int item) const { return nth(task_.set.areas, nth(task_.kinds, item)); }
     [[nodiscard]] double area_of(const std::vector<int>& items) const;
-    void choose_lots(int part, int parts);
     void choose_receivers(int part, int parts);
     [[nodiscard]] int any_receiver();
     [[nodiscard]] bool fits_on_victim(int item) const;

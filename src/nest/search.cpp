@@ -167,7 +167,9 @@ class Nester {
         best_ = std::move(best.arrangement);
         if (best.left_out.empty()) return std::nullopt;
         if (!best.hopeless) {
+            const int first = best.left_out.front();
             best.left_out = fill_in(std::move(best.left_out));
+            best.alone = best.alone && std::count(best.left_out.begin(), best.left_out.end(), first) > 0;
             if (best.left_out.empty()) return std::nullopt;
             for (const auto& lane : lanes_) lane->begin(best_, Aim::fit);
             if (go_on(Aim::fit, kFewerShare)) return std::nullopt;
@@ -192,7 +194,7 @@ class Nester {
         for (int i = 0; i < kLanes; ++i) fillers_.push_back(std::make_unique<Filler>(task_, ~seed_of(i)));
     }
     void end_filling() {
-        filled_work_ = work_;
+        for (const auto& filler : fillers_) filled_work_ += filler->work();
         fillers_.clear();
     }
 
@@ -206,11 +208,13 @@ class Nester {
             if (victims.empty()) break;
             const int victim = victims.front();
             const Arrangement before = best_;
-            fill_from(victim);
+            fill_from(victim, true);
             gone = items_on(victim).empty();
             gone ? drop(victim) : lay_out_anew(victim);
-            // What came to the victim in exchange may find no place on it.
-            if (!best_.holds(task_)) {
+            // What came to the victim in exchange may find no place on it. Where locks name sheets by number,
+            // the victim does not become the last, which may have become longer.
+            const bool stays = !gone && victim + 1 < static_cast<int>(best_.rows.size());
+            if (!best_.holds(task_) || (stays && has_locks() && before.better_than(best_, task_))) {
                 best_ = before;
                 gone = false;
             }
@@ -221,18 +225,35 @@ class Nester {
     // Moves what found no place to the sheets that there are, as from one more. Gives what is left: it lies
     // over others.
     std::vector<int> fill_in(std::vector<int> left_out) {
-        if (!fills()) return left_out;
+        // What must lie beside a locked piece of its group has one sheet to go to.
+        const bool bound = std::any_of(left_out.begin(), left_out.end(), [this](int item) {
+            const int group = nth(task_.group_of, item);
+            if (group < 0) return false;
+            const std::vector<int>& items = nth(task_.groups, group);
+            return std::any_of(items.begin(), items.end(), [this](int one) { return task_.is_locked(one); });
+        });
+        if (bound || !fills()) return left_out;
         const std::vector<Stand> before = best_.stands;
         const auto spare = static_cast<int>(best_.rows.size());
         best_.rows.push_back(task_.largest_first.front());
         for (const int item : left_out) nth(best_.stands, item).sheet = spare;
         begin_filling();
-        fill_from(spare);
+        fill_from(spare, false);
         end_filling();
         left_out = items_on(spare);
         for (const int item : left_out) nth(best_.stands, item) = nth(before, item);
         best_.rows.pop_back();
+        // A group that found no place had perhaps been given a sheet of its own.
+        for (auto empty = emptiest_sheets(task_, best_); !empty.empty() && items_on(empty.front()).empty();
+             empty = emptiest_sheets(task_, best_)) {
+            drop(empty.front());
+        }
         return left_out;
+    }
+
+    [[nodiscard]] bool has_locks() const {
+        return std::any_of(task_.locks.begin(), task_.locks.end(),
+                           [](const Stand& lock) { return lock.shape >= 0; });
     }
 
     [[nodiscard]] std::vector<int> items_on(int sheet) const {
@@ -250,26 +271,31 @@ class Nester {
         }
     }
 
-    // Fills the others with what lies on the victim, which is then no layout any more: what came in exchange
-    // has no place on it.
-    void fill_from(int victim) {
-        const int parts = std::min(kLanes, static_cast<int>(best_.rows.size()) - 1);
+    // Fills the others with what lies on the victim. What comes to it in exchange has no place on it.
+    // `tells`: whether the layout is one that progress can be told of.
+    void fill_from(int victim, bool tells) {
         const double slice = slice_until(kFillShare);
         const auto goes_on = [&] { return spent() < kFillShare && !stopped(); };
         bool moved = true;
         while (moved && goes_on()) {
+            const auto lots = static_cast<int>(lots_on(task_, best_, victim).size());
+            const int parts = std::min({kLanes, lots, static_cast<int>(best_.rows.size()) - 1});
             for (int i = 0; i < parts; ++i) nth(fillers_, i)->begin(best_, victim, i, parts);
-            // When one has nothing more to do, they share what is left.
-            const auto one_is_done = [&] {
-                return std::any_of(fillers_.begin(), fillers_.begin() + parts,
-                                   [](const auto& filler) { return filler->done(); });
+            const auto count = [&](const auto& is) {
+                return std::count_if(fillers_.begin(), fillers_.begin() + parts,
+                                     [&](const auto& filler) { return is(*filler); });
             };
-            while (!one_is_done() && goes_on()) {
+            const auto done = [&] { return count([](const Filler& filler) { return filler.done(); }); };
+            const auto some_moved = [&] {
+                return count([](const Filler& filler) { return filler.moved(); }) > 0;
+            };
+            // When one has nothing more to do, they share what is left anew, if that is another than before.
+            while (done() < parts && !(done() > 0 && some_moved()) && goes_on()) {
                 side_by_side(slice, parts, [&](int i) { nth(fillers_, i)->run(slice); });
-                tell();
+                if (tells) tell();
             }
-            moved = false;
-            for (int i = 0; i < parts; ++i) moved = nth(fillers_, i)->put_into(best_) || moved;
+            moved = parts > 0 && some_moved();
+            for (int i = 0; i < parts; ++i) nth(fillers_, i)->put_into(best_);
         }
     }
 

@@ -73,7 +73,8 @@ double fill(const NestJob& job, double work, std::uint64_t seed) {
         Filler filler(task, seed + static_cast<std::uint64_t>(i));
         filler.begin(before, victim, i, kFillers);
         filler.run(work);
-        moved = filler.put_into(after) || moved;
+        filler.put_into(after);
+        moved = moved || filler.moved();
     }
     EXPECT_EQ(after.rows, before.rows);
     for (int item = 0; item < static_cast<int>(task.kinds.size()); ++item) {
@@ -134,6 +135,30 @@ TEST(Filler, MayLetPiecesTouch) {
     if (test::nest_check_available()) {
         EXPECT_EQ(test::nest_faults(job, *result.plan), std::vector<std::string>{});
     }
+}
+
+// The last piece of a sheet, and a gap that it fits exactly.
+TEST(Filler, FillsTheLastGap) {
+    NestJob job;
+    const double side = 100.0 / 7.0;
+    job.kinds = {{{{{{0, 0}, {side, 0}, {side, side}, {0, side}}, {}}}, {Angle{}}}};
+    job.stock = {{7 * side, 7 * side, -1}};
+    job.items.resize(49);
+    NestTask task(job);
+    const double step = static_cast<double>(task.set.shapes.front().bounds.width());
+    Arrangement layout;
+    layout.rows = {0, 0, 0};
+    for (int item = 0; item < 49; ++item) layout.stands.push_back({0, 0, item % 7 * step, item / 7 * step});
+    layout.stands[17] = {1, 0, 0, 0};
+    layout.stands[30] = {2, 0, 0, 0};
+    Filler filler(task, 1);
+    filler.begin(layout, 1, 0, 1);
+    filler.run(1e7);
+    EXPECT_TRUE(filler.done());
+    EXPECT_TRUE(filler.moved());
+    filler.put_into(layout);
+    EXPECT_NE(layout.stands[17].sheet, 1);
+    EXPECT_TRUE(layout.holds(task));
 }
 
 // A stock of a sheet less than the first layout takes.
