@@ -1,5 +1,6 @@
 // Designs of webOAcard: every point of the sheet is in the plate that its rules say, folds are where plates
 // meet, and what is wrong with a file is said where it stands.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,6 +9,7 @@
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -367,6 +369,24 @@ TEST(Oa, EdgesThatJustMissWhatTheyStandOnAreDrawnDown) {
     apart.box(50, 10, 90, 0, 10);
     apart.box(30, 30, 60, 10.6, 40);
     EXPECT_EQ(read(apart.text()).count("oa-snapped"), 0U);
+}
+
+// Rounded to the grid, the edge of such a face is a step off the depth that it stands at.
+TEST(Oa, DepthsOfManyDecimalsCloseUp) {
+    std::mt19937 random(3);
+    for (int round = 0; round < 60; ++round) {
+        const double depth = 20.0 + static_cast<double>(random()) / 4294967295.0 * 30.0;
+        const std::string text = fmt::format(
+            R"({{"settings": {{"cardW": 100, "cardH": 70}}, "faces": [{{"mode": 0, "t": {}, "contours": [{{"outer": )"
+            R"([{{"X": 39, "Y": {:.5f}}}, {{"X": 70, "Y": {:.5f}}}, {{"X": 70, "Y": 15}}, {{"X": 39, "Y": 15}}], )"
+            R"("holes": []}}]}}]}})",
+            depth, depth, depth);
+        const Read made = read(text);
+        ASSERT_TRUE(made.assembly) << made.told();
+        Diagnostics diagnostics("card.oa");
+        EXPECT_TRUE(simulate(*made.assembly, {}, diagnostics)) << depth;
+        EXPECT_FALSE(diagnostics.has_errors()) << depth << ": " << diagnostics.sorted().front().message;
+    }
 }
 
 TEST(Oa, ContoursThatCrossThemselvesAreTakenWhole) {
