@@ -106,9 +106,7 @@ bool could_be_fewer(NestTask& task, const Arrangement& layout) {
 std::vector<char> known_last(NestTask& task, const Arrangement& layout) {
     std::vector<char> on_last(task.kinds.size(), 0);
     const std::size_t others = layout.rows.size() - 1;
-    const bool locked =
-        std::any_of(task.locks.begin(), task.locks.end(), [](const Stand& lock) { return lock.shape >= 0; });
-    if (others == 0 || locked || task.kinds.size() > kFewToPart) return on_last;
+    if (others == 0 || task.has_locks() || task.kinds.size() > kFewToPart) return on_last;
     const double length = layout.length(task, static_cast<int>(others));
     const std::vector<int> order = largest_first(task);
     std::vector<int> wide;

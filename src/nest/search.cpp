@@ -22,8 +22,8 @@ constexpr int kLanes = 2;
 constexpr double kFillShare = 0.45;
 constexpr double kFewerShare = 0.6;
 constexpr double kShorterShare = 0.8;
-// Where fewer pieces than this are on a sheet, on average, taking all sheets apart at once finds more than
-// filling.
+// With fewer pieces a sheet than this, on average, taking all sheets apart at once finds more than filling
+// does.
 constexpr std::size_t kFewOnSheet = 12;
 // The share of the effort beyond which no further first layout is made.
 constexpr double kBuildShare = 0.1;
@@ -211,10 +211,10 @@ class Nester {
             fill_from(victim, true);
             gone = items_on(victim).empty();
             gone ? drop(victim) : lay_out_anew(victim);
-            // What came to the victim in exchange may find no place on it. Where locks name sheets by number,
-            // the victim does not become the last, which may have become longer.
-            const bool stays = !gone && victim + 1 < static_cast<int>(best_.rows.size());
-            if (!best_.holds(task_) || (stays && has_locks() && before.better_than(best_, task_))) {
+            // What came to the victim in exchange may find no place on it. With locks the sheets keep their
+            // order, and the last may have become longer.
+            const bool longer = !gone && task_.has_locks() && before.better_than(best_, task_);
+            if (longer || !best_.holds(task_)) {
                 best_ = before;
                 gone = false;
             }
@@ -222,8 +222,7 @@ class Nester {
         end_filling();
     }
 
-    // Moves what found no place to the sheets that there are, as from one more. Gives what is left: it lies
-    // over others.
+    // Moves what found no place onto the sheets that there are. Returns what is left, which lies over others.
     std::vector<int> fill_in(std::vector<int> left_out) {
         // What must lie beside a locked piece of its group has one sheet to go to.
         const bool bound = std::any_of(left_out.begin(), left_out.end(), [this](int item) {
@@ -233,7 +232,8 @@ class Nester {
             return std::any_of(items.begin(), items.end(), [this](int one) { return task_.is_locked(one); });
         });
         if (bound || !fills()) return left_out;
-        const std::vector<Stand> before = best_.stands;
+        const Arrangement before = best_;
+        const std::vector<int> all = left_out;
         const auto spare = static_cast<int>(best_.rows.size());
         best_.rows.push_back(task_.largest_first.front());
         for (const int item : left_out) nth(best_.stands, item).sheet = spare;
@@ -241,19 +241,18 @@ class Nester {
         fill_from(spare, false);
         end_filling();
         left_out = items_on(spare);
-        for (const int item : left_out) nth(best_.stands, item) = nth(before, item);
+        for (const int item : left_out) nth(best_.stands, item) = nth(before.stands, item);
         best_.rows.pop_back();
+        if (left_out.empty() && !best_.holds(task_)) {
+            best_ = before;
+            return all;
+        }
         // A group that found no place had perhaps been given a sheet of its own.
         for (auto empty = emptiest_sheets(task_, best_); !empty.empty() && items_on(empty.front()).empty();
              empty = emptiest_sheets(task_, best_)) {
             drop(empty.front());
         }
         return left_out;
-    }
-
-    [[nodiscard]] bool has_locks() const {
-        return std::any_of(task_.locks.begin(), task_.locks.end(),
-                           [](const Stand& lock) { return lock.shape >= 0; });
     }
 
     [[nodiscard]] std::vector<int> items_on(int sheet) const {
@@ -271,8 +270,8 @@ class Nester {
         }
     }
 
-    // Fills the others with what lies on the victim. What comes to it in exchange has no place on it.
-    // `tells`: whether the layout is one that progress can be told of.
+    // Fills the other sheets with what lies on the victim. What comes to the victim in exchange has no place
+    // on it yet. `tells`: whether to tell of progress, which needs a layout.
     void fill_from(int victim, bool tells) {
         const double slice = slice_until(kFillShare);
         const auto goes_on = [&] { return spent() < kFillShare && !stopped(); };
@@ -289,7 +288,7 @@ class Nester {
             const auto some_moved = [&] {
                 return count([](const Filler& filler) { return filler.moved(); }) > 0;
             };
-            // When one has nothing more to do, they share what is left anew, if that is another than before.
+            // When one has nothing more to do and something has moved, what is left is shared out again.
             while (done() < parts && !(done() > 0 && some_moved()) && goes_on()) {
                 side_by_side(slice, parts, [&](int i) { nth(fillers_, i)->run(slice); });
                 if (tells) tell();
@@ -320,13 +319,9 @@ class Nester {
     void smaller_sheets() {
         if (task_.rooms.size() < 2) return;
         for (int sheet = static_cast<int>(best_.rows.size()) - 1; sheet >= 0; --sheet) {
-            std::vector<int> items;
-            bool locked = false;
-            for (int item = 0; item < static_cast<int>(best_.stands.size()); ++item) {
-                if (best_.stands[index(item)].sheet != sheet) continue;
-                items.push_back(item);
-                locked = locked || task_.is_locked(item);
-            }
+            const std::vector<int> items = items_on(sheet);
+            const bool locked =
+                std::any_of(items.begin(), items.end(), [this](int item) { return task_.is_locked(item); });
             if (locked) continue;
             const auto size = [&](int row) {
                 return task_.rooms[index(row)].width * task_.rooms[index(row)].height;
@@ -365,13 +360,9 @@ class Nester {
 
     // The sheet with the least on it becomes the last. Locks name sheets by number: then they stay.
     void emptiest_last() {
-        std::vector<double> areas(best_.rows.size(), 0.0);
-        for (std::size_t i = 0; i < best_.stands.size(); ++i) {
-            if (task_.is_locked(static_cast<int>(i))) return;
-            areas[index(best_.stands[i].sheet)] += task_.set.areas[index(task_.kinds[i])];
-        }
-        const auto least = static_cast<int>(std::min_element(areas.begin(), areas.end()) - areas.begin());
-        const int last = static_cast<int>(areas.size()) - 1;
+        if (task_.has_locks()) return;
+        const int least = emptiest_sheets(task_, best_).front();
+        const int last = static_cast<int>(best_.rows.size()) - 1;
         std::swap(best_.rows[index(least)], best_.rows.back());
         for (Stand& stand : best_.stands) {
             if (stand.sheet == least) {

@@ -83,6 +83,10 @@ bool NestTask::lies_in(const Stand& stand, int row) const {
            stand.y + static_cast<double>(box.y1) <= room.height;
 }
 
+bool NestTask::has_locks() const {
+    return std::any_of(locks.begin(), locks.end(), [](const Stand& lock) { return lock.shape >= 0; });
+}
+
 bool NestTask::fits(int shape, int row) const {
     const GridBox& box = set.shapes[index(shape)].bounds;
     const Room& room = rooms[index(row)];

@@ -36,6 +36,7 @@ struct NestTask {
     [[nodiscard]] bool fits(int shape, int row) const;
     [[nodiscard]] bool lies_in(const Stand& stand, int row) const;
     [[nodiscard]] bool is_locked(int item) const { return nth(locks, item).shape >= 0; }
+    [[nodiscard]] bool has_locks() const;
 };
 
 // A layout as the search passes it on. The last sheet is the one that is kept short.

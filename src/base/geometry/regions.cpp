@@ -133,7 +133,7 @@ bool lies_in(const Path& hole, const Path& outer) {
         if (!comes_near(p, outer)) return where > 0;
         if (!likely) likely = where > 0;
     }
-    // Every corner is on the outer ring, which is the larger of the two: that is round the hole.
+    // Every corner is on the outer ring; it is the larger of the two, so the hole is inside.
     return likely.value_or(true);
 }
 

@@ -276,7 +276,7 @@ class Layer {
         for (const Polygon& part : plane.material) {
             edges_along(part.outer, Side::lower, [&](const Edge& edge) {
                 const double gap = gap_below(depth, edge);
-                // One step is a gap too: the fold would come apart by what rounding adds to it.
+                // A gap of one step counts: with rounding on top of it the fold would come apart.
                 if (!(gap > 0.5 * kGridMm)) return;
                 grown.push_back(rectangle(edge.x, edge.y0, grid(edge.x + gap), edge.y1));
                 const int face = owner(plane, {edge.x, 0.5 * (edge.y0 + edge.y1)});
