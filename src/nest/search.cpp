@@ -233,7 +233,7 @@ class Nester {
         });
         if (bound || !fills()) return left_out;
         const Arrangement before = best_;
-        const std::vector<int> all = left_out;
+        std::vector<int> all = left_out;
         const auto spare = static_cast<int>(best_.rows.size());
         best_.rows.push_back(task_.largest_first.front());
         for (const int item : left_out) nth(best_.stands, item).sheet = spare;
