@@ -181,7 +181,8 @@ void add_fold_lines(const Skeleton& skeleton, Assembly& assembly) {
         const LineKind kind = fold.closed_deg == 0 ? LineKind::valley : LineKind::mountain;
         const double size = fold.length();
         const auto stretch = [&](double lo, double hi) {
-            if (hi - lo < kGridMm) return;
+            // So little is left between two things that end on one line of the drawing.
+            if (hi - lo < kSameLineMm) return;
             const Segment at{lo <= 0.0 ? fold.on_left.a : lerp(fold.on_left.a, fold.on_left.b, lo / size),
                              hi >= size ? fold.on_left.b : lerp(fold.on_left.a, fold.on_left.b, hi / size)};
             assembly.lines.push_back(

@@ -343,14 +343,18 @@ class LineCutter {
     }
 
  private:
+    // An edge that leaves the line at so flat an angle that the middle of the two is on it still: it ends no
+    // further from the line than twice that, and where it ends another part begins.
+    static constexpr double kEndNearMm = 3.0 * kOnGridLineMm;
+
     // Where along a–b the line may enter or leave the area, as parts of its length, from 0 to 1.
     void find_crossings(Vec2 a, Vec2 b) {
         at_.assign({0.0, 1.0});
         Box box;
         box.extend(a);
         box.extend(b);
-        box.min = box.min - Vec2{kOnGridLineMm, kOnGridLineMm};
-        box.max = box.max + Vec2{kOnGridLineMm, kOnGridLineMm};
+        box.min = box.min - Vec2{kEndNearMm, kEndNearMm};
+        box.max = box.max + Vec2{kEndNearMm, kEndNearMm};
         edges_.query(box, found_);
         const Vec2 along = b - a;
         const double squared = dot(along, along);
@@ -365,7 +369,7 @@ class LineCutter {
             }
             for (const Vec2 end : {edge.a, edge.b}) {
                 const double t = dot(end - a, along) / squared;
-                if (t > 0.0 && t < 1.0 && distance(end, Segment{a, b}) <= kOnGridLineMm) at_.push_back(t);
+                if (t > 0.0 && t < 1.0 && distance(end, Segment{a, b}) <= kEndNearMm) at_.push_back(t);
             }
         }
         std::sort(at_.begin(), at_.end());

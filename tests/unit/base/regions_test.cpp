@@ -258,6 +258,30 @@ TEST(Regions, ClippedLinesLieInTheAreaAndTheRestDoesNot) {
     }
 }
 
+TEST(Regions, ALineThatHardlyLeavesAnEdgeEndsWithIt) {
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> angles(-3.2, 3.2);
+    std::uniform_int_distribution<int> steps(-5, 5);
+    for (int round = 0; round < 400; ++round) {
+        const double angle = angles(random);
+        const auto on_page = [&](double x, double y) { return on_grid(rotated({x, y}, angle)); };
+        const Polygon area{{on_page(0, 0), on_page(50, 0), on_page(40, -10), on_page(10, -10)}, {}};
+        // Along its upper edge and 10 mm on, off by a few steps of the grid at either end of the edge.
+        const double from = 1e-6 * steps(random);
+        const double to = 1e-6 * steps(random);
+        const double slope = (to - from) / 50.0;
+        const std::vector<Vec2> line{rotated({-10, from - 10 * slope}, angle),
+                                     rotated({60, from + 60 * slope}, angle)};
+        for (const std::vector<Vec2>& part : clip_line(line, area)) {
+            for (const Vec2 p : part) {
+                const double along = rotated(p, -angle).x;
+                EXPECT_GT(along, -1.0) << round;
+                EXPECT_LT(along, 51.0) << round;
+            }
+        }
+    }
+}
+
 TEST(Regions, ClippingKeepsDirectionAndCornersOfTheLine) {
     const std::vector<Vec2> line{{-5, 5}, {5, 5}, {5, 3}, {15, 3}, {15, 1}, {-5, 1}};
     const auto parts = clip_line(line, box(0, 0, 10, 10));
