@@ -44,10 +44,10 @@ Pierced refused(std::string_view code, std::string what, std::string hint) {
     return made;
 }
 
-// The stretches of the fold inside of the ring that are still there.
-std::vector<Pierced::Span> lost_of(const Fold& fold, int number, const Ring& ring) {
+// The stretches of the fold inside of the area that are still there.
+std::vector<Pierced::Span> lost_of(const Fold& fold, int number, const Polygon& area) {
     std::vector<Pierced::Span> lost;
-    const auto inside = clip_line({fold.on_left.a, fold.on_left.b}, {ring, {}});
+    const auto inside = clip_line({fold.on_left.a, fold.on_left.b}, area);
     for (const std::vector<Vec2>& part : inside) {
         double from = distance(fold.on_left.a, part.front());
         const double to = distance(fold.on_left.a, part.back());
@@ -101,23 +101,34 @@ std::optional<Pierced> leaves_page(const Sheet& sheet, const std::vector<int>& p
     return std::nullopt;
 }
 
-// The fault of a hole that cuts a plate into parts, or leaves nothing of it; nullopt: none. Adds the plates
-// that lose paper to `made`.
+// What is left of the paper, specks aside.
+std::vector<Polygon> left_of(const std::vector<Polygon>& paper, const std::vector<Polygon>& hole) {
+    std::vector<Polygon> left = subtract(paper, hole);
+    std::erase_if(left, [](const Polygon& part) { return area(part) <= kSpeckMm2; });
+    return left;
+}
+
+// The fault of a hole that cuts a plate into parts, or leaves nothing of it; nullopt: none. `reach`: the hole
+// with kTouchMm around it. Adds the plates that lose paper to `made`.
 std::optional<Pierced> leaves_parts(const Sheet& sheet, const std::vector<int>& plates, const Ring& ring,
-                                    Pierced& made) {
+                                    const std::vector<Polygon>& reach, Pierced& made) {
+    constexpr std::string_view kHint = "make it smaller, so that every part of the card stays in one piece";
     const std::vector<Polygon> hole{{ring, {}}};
     for (const int plate : plates) {
         const std::vector<Polygon> paper = paper_of(sheet.skeleton, plate, 0.0);
         if (area(intersect(paper, hole)) <= kSpeckMm2) continue;
         made.plates.push_back(plate);
-        std::vector<Polygon> left = subtract(paper, hole);
-        std::erase_if(left, [](const Polygon& part) { return area(part) <= kSpeckMm2; });
-        if (left.size() <= 1 && !left.empty()) continue;
-        return refused("hole-off-piece",
-                       left.empty()
-                           ? fmt::format("it leaves nothing of \"{}\"", name_of(sheet, plate))
-                           : fmt::format("it cuts \"{}\" into {} parts", name_of(sheet, plate), left.size()),
-                       "make it smaller, so that every part of the card stays in one piece");
+        const auto fault = [&](std::string what) {
+            return refused("hole-off-piece", std::move(what), std::string(kHint));
+        };
+        const std::size_t parts = left_of(paper, hole).size();
+        if (parts > 1)
+            return fault(fmt::format("it cuts \"{}\" into {} parts", name_of(sheet, plate), parts));
+        const std::size_t held = left_of(paper, reach).size();
+        if (held == 1) continue;
+        if (held == 0) return fault(fmt::format("it leaves nothing of \"{}\"", name_of(sheet, plate)));
+        return fault(fmt::format("two parts of \"{}\" hang together by less than {} beside it",
+                                 name_of(sheet, plate), mm(kTouchMm)));
     }
     return std::nullopt;
 }
@@ -161,11 +172,13 @@ Pierced pierce(const Sheet& sheet, int page, const Ring& ring) {
                        "move it off what is glued to the page");
     }
     Pierced made;
+    // Paper that is narrower holds nothing.
+    const std::vector<Polygon> reach = alone ? hole : offset(hole, kTouchMm, Corners::rounded);
     if (alone) {
         std::copy_if(plates.begin(), plates.end(), std::back_inserter(made.plates),
                      [&](int plate) { return sheet.paper.has_paper(plate, page, at); });
     } else {
-        if (auto fault = leaves_parts(sheet, plates, ring, made)) return std::move(*fault);
+        if (auto fault = leaves_parts(sheet, plates, ring, reach, made)) return std::move(*fault);
         made.narrow = sheet.paper.narrow_beside_hole(page, ring, kTearsMm);
         // A third hole may have taken what was between the two.
         if (made.narrow && std::none_of(plates.begin(), plates.end(), [&](int plate) {
@@ -179,14 +192,19 @@ Pierced pierce(const Sheet& sheet, int page, const Ring& ring) {
         seen.push_back(match.fold);
         const Fold& fold = nth(sheet.skeleton.folds, match.fold);
         if (fold.seam) continue;
-        const std::vector<Pierced::Span> lost = lost_of(fold, match.fold, ring);
-        if (lost.empty()) continue;
-        if (const double left = longest_left(fold, lost); left < sheet.tolerances.min_length_mm) {
+        std::vector<Pierced::Span> near;
+        for (const Polygon& one : reach) {
+            const auto part = lost_of(fold, match.fold, one);
+            near.insert(near.end(), part.begin(), part.end());
+        }
+        if (near.empty()) continue;
+        if (const double left = longest_left(fold, near); left < sheet.tolerances.min_length_mm) {
             return refused("hole-off-piece",
                            fmt::format("it leaves {} of a fold of \"{}\" in one stretch; the least is {}",
                                        mm(left), fold.owner, mm(sheet.tolerances.min_length_mm)),
                            "make it smaller along the fold");
         }
+        const std::vector<Pierced::Span> lost = lost_of(fold, match.fold, hole.front());
         made.folds.insert(made.folds.end(), lost.begin(), lost.end());
     }
     return made;
