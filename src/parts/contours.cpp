@@ -72,6 +72,10 @@ class Sorter {
 
  private:
     enum class Relation : char { apart, a_in_b, b_in_a, same, overlap };
+    struct Near {
+        Relation relation = Relation::apart;
+        bool grazes = false;  // the one pokes over the other's edge, by no more than kDeepMm
+    };
 
     // --- one at a time
 
@@ -196,18 +200,24 @@ class Sorter {
         return true;
     }
 
-    Relation relation(int a, int b, std::vector<Polygon>& common) const {
+    Near relation(int a, int b, std::vector<Polygon>& common) const {
         const std::vector<Polygon> p{{out_.all[at(a)].ring, {}}};
         const std::vector<Polygon> q{{out_.all[at(b)].ring, {}}};
+        // More than the grid makes of edges that lie on each other.
+        const auto pokes = [&](const std::vector<Polygon>& beyond) {
+            return area(beyond) > kGridMm * std::min(around(p[0].outer), around(q[0].outer));
+        };
         common = intersect(p, q);
-        if (!is_deep(common)) return Relation::apart;
-        const bool a_out = is_deep(subtract(p, q));
-        const bool b_out = is_deep(subtract(q, p));
-        if (a_out && b_out) return Relation::overlap;
-        if (!a_out && !b_out) return Relation::same;
+        if (!is_deep(common)) return {Relation::apart, pokes(common)};
+        const std::vector<Polygon> a_beyond = subtract(p, q);
+        const std::vector<Polygon> b_beyond = subtract(q, p);
+        const bool a_out = is_deep(a_beyond);
+        const bool b_out = is_deep(b_beyond);
+        if (a_out && b_out) return {Relation::overlap};
+        if (!a_out && !b_out) return {Relation::same};
         // What is as large as the other and no more than a hair off is the other.
-        if (a_out ? areas_[at(b)] >= areas_[at(a)] : areas_[at(a)] >= areas_[at(b)]) return Relation::same;
-        return a_out ? Relation::b_in_a : Relation::a_in_b;
+        if (a_out ? areas_[at(b)] >= areas_[at(a)] : areas_[at(a)] >= areas_[at(b)]) return {Relation::same};
+        return a_out ? Near{Relation::b_in_a, pokes(b_beyond)} : Near{Relation::a_in_b, pokes(a_beyond)};
     }
 
     bool relate_near() {
@@ -222,10 +232,10 @@ class Sorter {
             if (!work_.looks(kCornerLooks * (rings[0]->size() + rings[1]->size())) || !work_.sweep(rings)) {
                 return false;
             }
-            const Relation found = relation(a, b, common);
+            const Near found = relation(a, b, common);
             near_[{a, b}] = found;
-            if (found == Relation::same) gone_[at(b)] = 1;
-            if (found == Relation::overlap) {
+            if (found.relation == Relation::same) gone_[at(b)] = 1;
+            if (found.relation == Relation::overlap) {
                 if (out_.overlaps.size() == kMostOverlaps) return false;
                 out_.overlaps.push_back({a, b, area(common), common[0].outer[0]});
             }
@@ -241,10 +251,10 @@ class Sorter {
         for (std::size_t i = 0; i < out_.all.size(); ++i) {
             if (gone_[i] == 0) number[i] = next++;
         }
-        std::map<std::pair<int, int>, Relation> near;
-        for (const auto& [pair, relation] : near_) {
+        std::map<std::pair<int, int>, Near> near;
+        for (const auto& [pair, found] : near_) {
             const std::pair<int, int> now{number[at(pair.first)], number[at(pair.second)]};
-            if (now.first >= 0 && now.second >= 0) near[now] = relation;
+            if (now.first >= 0 && now.second >= 0) near[now] = found;
         }
         near_ = std::move(near);
         std::erase_if(out_.overlaps, [&](const ContourOverlap& one) {
@@ -254,12 +264,18 @@ class Sorter {
             one = {number[at(one.a)], number[at(one.b)], one.area_mm2, one.at};
         drop_gone();
         find_boxes();
+        for (const auto& [pair, found] : near_) {
+            if (!found.grazes) continue;
+            out_.all[at(pair.first)].grazed.push_back(pair.second);
+            out_.all[at(pair.second)].grazed.push_back(pair.first);
+        }
     }
 
     [[nodiscard]] bool lies_in(int inner, int outer) const {
         const bool swapped = inner > outer;
         const auto known = near_.find({std::min(inner, outer), std::max(inner, outer)});
-        if (known != near_.end()) return known->second == (swapped ? Relation::b_in_a : Relation::a_in_b);
+        if (known != near_.end())
+            return known->second.relation == (swapped ? Relation::b_in_a : Relation::a_in_b);
         return contains({out_.all[at(outer)].ring, {}}, out_.all[at(inner)].ring.front());
     }
 
@@ -306,7 +322,7 @@ class Sorter {
     std::vector<char> gone_;
     std::vector<Box> boxes_;
     std::vector<double> areas_;
-    std::map<std::pair<int, int>, Relation> near_;
+    std::map<std::pair<int, int>, Near> near_;
     Contours out_;
 };
 

@@ -250,7 +250,8 @@ class PartMaker {
             if (all[i].depth % 2 == 1) continue;
             std::vector<Polygon>& paper = parts_[at(part_of_[at(all[i].root)])].paper;
             if (!work_.sweep(all[i].ring) || !work_.sweep(holes[i])) return false;
-            const std::vector<Polygon> left = subtract({{all[i].ring, {}}}, holes[i]);
+            std::vector<Polygon> left = subtract({{all[i].ring, {}}}, holes[i]);
+            if (!all[i].grazed.empty() && !keep_apart(i, left)) return false;
             paper.insert(paper.end(), left.begin(), left.end());
         }
         for (const int root : overlapping) {
@@ -258,6 +259,22 @@ class PartMaker {
             paper = unite(paper);
         }
         edges_of_part_.resize(parts_.size());
+        return true;
+    }
+
+    // Keeps the paper of an island within the hole it lies in and off the islands before it, where contours
+    // poke over one another: each is cut out on its own. False when that is too much work.
+    bool keep_apart(std::size_t i, std::vector<Polygon>& left) {
+        const ClosedContour& island = contours_.all[i];
+        if (island.parent < 0) return true;
+        std::vector<Polygon> taken;
+        for (const int other : island.grazed) {
+            const ClosedContour& one = contours_.all[at(other)];
+            if (!work_.sweep(one.ring)) return false;
+            if (other == island.parent) left = intersect(left, {{one.ring, {}}});
+            if (one.parent == island.parent && at(other) < i) taken.push_back({one.ring, {}});
+        }
+        if (!taken.empty()) left = subtract(left, taken);
         return true;
     }
 

@@ -160,6 +160,33 @@ TEST(Contours, ThatTouchOrAreAHairOffDoNotOverlap) {
     EXPECT_EQ(reading.part(0).paper[0].outer.size(), 8U);
 }
 
+// A contour that pokes over the one it lies in, or over one beside it, is paper that nothing else has.
+TEST(Contours, ThatPokeOverOthersByAHairKeepOffTheirPaper) {
+    Random random(17);
+    std::size_t regions = 0;
+    for (int round = 0; round < 60; ++round) {
+        // In a window of 40 x 40: islands over its lower edge, and over each other.
+        const double poke = 0.001 + 0.008 * random.unit();
+        const double angle = 360.0 * random.unit();
+        const double x = 12.0 + 2.0 * random.unit();
+        const auto island = [&](double from, double to, double low, double high) {
+            return fmt::format("<path d='M{0:.4f} {2:.4f}H{1:.4f}V{3:.4f}H{0:.4f}Z'/>", from, to, low, high);
+        };
+        const auto reading = read_drawing(
+            drawing(fmt::format("<g transform='translate(50 50) rotate({:.4f})'>{}{}{}{}</g>", angle,
+                                island(0, 60, 0, 60), island(10, 50, 10, 50), island(x, x + 8, 10 - poke, 20),
+                                island(x + 8 - poke, x + 20, 10 - poke, 25))));
+        ASSERT_EQ(reading.parts().size(), 1U);
+        const std::vector<Polygon>& paper = reading.part(0).paper;
+        regions += paper.size();
+        const double alone = area(reading.part(0));
+        EXPECT_NEAR(popup::area(unite(paper)), alone, 1e-4) << round;
+        // Each island is there, but for what it poked.
+        EXPECT_NEAR(alone, 60.0 * 60.0 - 40.0 * 40.0 + 8.0 * 10.0 + 12.0 * 15.0, 0.5) << round;
+    }
+    EXPECT_EQ(regions, 180U);
+}
+
 TEST(Contours, ThatOverlapPartlyAreRefusedWithBothPlaces) {
     const auto reading =
         read_drawing(drawing("<rect width='20' height='20'/>\n<circle cx='20' cy='10' r='5'/>"));
