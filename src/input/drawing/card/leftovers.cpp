@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 #include "base/geometry/mend_ends.h"
@@ -50,8 +51,9 @@ class LeftoverFinder {
                 elsewhere.push_back({faces, std::move(ring)});
         }
         find_outside(elsewhere);
+        std::erase_if(elsewhere, [&](const Loose& one) { return nth(outside_, one.faces.front()) != 0; });
+        take_overlaps(elsewhere);
         for (const Loose& one : elsewhere) {
-            if (nth(outside_, one.faces.front()) != 0) continue;
             out_.islands.push_back(
                 {first_element(graph_, one.ring), {}, graph_.at(graph_.from(one.ring.front()))});
         }
@@ -64,6 +66,60 @@ class LeftoverFinder {
             if (told.insert(edge.element).second)
                 out_.outside.push_back({edge.element, {}, graph_.at(edge.a)});
         }
+    }
+
+    // What lies where closed cuts overlap is no island, which one hole would surround: two of what falls out
+    // are beside it. With both it makes one hole.
+    void take_overlaps(std::vector<Loose>& loose) {
+        const auto group = [&](int face) { return nth(features_.group_of, face); };
+        std::map<int, std::size_t> number;  // in `loose`, by group
+        for (std::size_t i = 0; i < loose.size(); ++i) number[group(loose[i].faces.front())] = i;
+        std::vector<std::size_t> joined(out_.holes.size());  // to the first of those that are one with a hole
+        std::iota(joined.begin(), joined.end(), std::size_t{0});
+        const auto first_of = [&](std::size_t hole) {
+            while (joined[hole] != hole) hole = joined[hole];
+            return hole;
+        };
+        struct Beside {
+            int group = -1;
+            std::size_t hole = 0;
+        };
+        std::vector<Beside> known(loose.size());
+        std::vector<char> taken(loose.size(), 0);
+        std::vector<std::pair<std::vector<int>, std::size_t>> ahead;  // faces, and the hole they are of
+        for (std::size_t i = out_.holes.size(); i-- > 0;) ahead.emplace_back(out_.holes[i].faces, i);
+        while (!ahead.empty()) {
+            const auto [faces, hole] = std::move(ahead.back());
+            ahead.pop_back();
+            for (const int face : faces) {
+                for (const int half : graph_.halves_of(face)) {
+                    const auto found = number.find(group(graph_.face_of(half ^ 1)));
+                    if (found == number.end()) continue;
+                    const std::size_t one = found->second;
+                    if (known[one].group < 0) known[one] = {group(face), hole};
+                    if (known[one].group == group(face)) continue;
+                    const std::size_t a = first_of(known[one].hole);
+                    const std::size_t b = first_of(hole);
+                    joined[std::max(a, b)] = std::min(a, b);
+                    if (taken[one] == 0) ahead.emplace_back(loose[one].faces, std::min(a, b));
+                    taken[one] = 1;
+                }
+            }
+        }
+        for (std::size_t i = 0; i < loose.size(); ++i) {
+            if (taken[i] != 0) append(out_.holes[first_of(known[i].hole)].faces, loose[i].faces);
+        }
+        for (std::size_t i = 0; i < joined.size(); ++i) {
+            if (joined[i] == i) continue;
+            append(out_.holes[first_of(i)].faces, out_.holes[i].faces);
+            out_.holes[i].faces.clear();
+        }
+        std::erase_if(out_.holes, [](const DrawnHole& hole) { return hole.faces.empty(); });
+        std::erase_if(loose, [&](const Loose& one) { return taken[number[group(one.faces.front())]] != 0; });
+    }
+
+    static void append(std::vector<int>& faces, const std::vector<int>& more) {
+        faces.insert(faces.end(), more.begin(), more.end());
     }
 
     void find_outside(const std::vector<Loose>& loose) {
