@@ -1,19 +1,83 @@
 #include "input/oa/come_apart.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <map>
+#include <numbers>
 #include <utility>
+
+#include "base/geometry/edge_index.h"
+#include "base/geometry/tolerances.h"
+#include "base/nth.h"
 
 namespace popup::oa {
 namespace {
 
-bool passes_twice(const Ring& ring) {
-    std::vector<std::pair<double, double>> corners;
-    corners.reserve(ring.size());
-    for (const Vec2 p : ring) corners.emplace_back(p.x, p.y);
-    std::sort(corners.begin(), corners.end());
-    return std::adjacent_find(corners.begin(), corners.end()) != corners.end();
+// The edges of a region, paper on the left of each, parted where a corner of it lies on them; nothing where
+// no corner touches another edge, and none is passed twice.
+std::vector<Segment> edges_where_it_touches(const Polygon& region) {
+    std::vector<Segment> edges = edges_of(region);
+    const EdgeIndex index({}, edges);
+    std::vector<int> found;
+    std::vector<std::pair<int, Vec2>> touched;  // edges, and the corners on them
+    bool twice = false;
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+        const Vec2 p = edges[i].a;
+        const Vec2 reach{kOnGridLineMm, kOnGridLineMm};
+        index.query({p - reach, p + reach}, found);
+        for (const int number : found) {
+            const Segment& edge = index[number];
+            if (edge.a == p) twice = twice || static_cast<std::size_t>(number) != i;
+            if (edge.a == p || edge.b == p || distance(p, edge) > kOnGridLineMm) continue;
+            touched.emplace_back(number, p);
+        }
+    }
+    if (touched.empty()) return twice ? edges : std::vector<Segment>{};
+    std::sort(touched.begin(), touched.end(), [&](const auto& one, const auto& other) {
+        if (one.first != other.first) return one.first < other.first;
+        const Vec2 from = index[one.first].a;
+        return distance(from, one.second) < distance(from, other.second);
+    });
+    for (std::size_t i = touched.size(); i-- > 0;) {
+        const auto [number, at] = touched[i];
+        const Vec2 end = nth(edges, number).b;
+        if (end == at) continue;
+        nth(edges, number).b = at;
+        edges.push_back({at, end});
+    }
+    return edges;
+}
+
+// Rings of the edges. Where several begin in a point the one is next that follows on the border of the same
+// paper.
+std::vector<Ring> rings_of(const std::vector<Segment>& edges) {
+    const auto key = [](Vec2 p) { return std::pair(p.x, p.y); };
+    std::map<std::pair<double, double>, std::vector<std::size_t>> from;
+    for (std::size_t i = 0; i < edges.size(); ++i) from[key(edges[i].a)].push_back(i);
+    // How far to turn from the edge's way back to the next one, clockwise.
+    const auto turn = [&](const Segment& edge, const Segment& next) {
+        const Vec2 back = edge.a - edge.b;
+        const Vec2 on = next.b - next.a;
+        const double angle = std::atan2(cross(on, back), dot(on, back));
+        return angle > 0.0 ? angle : angle + 2.0 * std::numbers::pi;
+    };
+    std::vector<char> passed(edges.size(), 0);
+    std::vector<Ring> rings;
+    for (std::size_t first = 0; first < edges.size(); ++first) {
+        Ring ring;
+        for (std::size_t i = first; passed[i] == 0;) {
+            passed[i] = 1;
+            ring.push_back(edges[i].a);
+            const std::vector<std::size_t>& next = from[key(edges[i].b)];
+            if (next.empty()) break;
+            i = *std::min_element(next.begin(), next.end(), [&](std::size_t a, std::size_t b) {
+                return turn(edges[i], edges[a]) < turn(edges[i], edges[b]);
+            });
+        }
+        if (!ring.empty()) rings.push_back(std::move(ring));
+    }
+    return rings;
 }
 
 // The loops of a ring, each of which passes no corner twice.
@@ -41,9 +105,8 @@ std::vector<Ring> loops_of(const Ring& ring) {
 std::vector<Polygon> come_apart(std::vector<Polygon> regions) {
     std::vector<Polygon> result;
     for (Polygon& region : regions) {
-        const bool any =
-            passes_twice(region.outer) || std::any_of(region.holes.begin(), region.holes.end(), passes_twice);
-        if (!any) {
+        const std::vector<Segment> edges = edges_where_it_touches(region);
+        if (edges.empty()) {
             result.push_back(std::move(region));
             continue;
         }
@@ -56,9 +119,8 @@ std::vector<Polygon> come_apart(std::vector<Polygon> regions) {
                 holes.push_back(std::move(loop));
             }
         };
-        for (Ring& loop : loops_of(region.outer)) sort_out(std::move(loop));
-        for (const Ring& hole : region.holes) {
-            for (Ring& loop : loops_of(hole)) sort_out(std::move(loop));
+        for (const Ring& ring : rings_of(edges)) {
+            for (Ring& loop : loops_of(ring)) sort_out(std::move(loop));
         }
         // A hole lies in the smallest part that holds a point of its inside.
         for (Ring& hole : holes) {

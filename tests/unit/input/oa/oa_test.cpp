@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "input/oa/come_apart.h"
 #include "input/oa/read.h"
 #include "input/oa/sheet.h"
 #include "output/emit.h"
@@ -343,6 +344,24 @@ TEST(Oa, PaperThatNothingHoldsIsNamed) {
               "a part of faces[1] falls out: no fold holds 100.0 mm² at X 40.0, Y 40.9");
     EXPECT_GT(made.findings[0].place.column, 100);
     EXPECT_NEAR(paper(*made.assembly), 100.0 * 160.0 - 100.0, 1e-6);
+}
+
+// What hangs on the rest by a point falls out as what hangs on nothing does.
+TEST(Oa, PaperThatHangsByAPointComesApart) {
+    // A corner on a corner, a corner on an edge, and a hole that touches its outline at two places.
+    const Polygon on_corner{{{0, 0}, {10, 0}, {10, 10}, {20, 10}, {20, 20}, {10, 20}, {10, 10}, {0, 10}}, {}};
+    const Polygon on_edge{{{0, 0}, {30, 0}, {30, 10}, {15, 0}, {0, 10}}, {}};
+    const Polygon cut_through{{{0, 0}, {30, 0}, {30, 10}, {0, 10}}, {{{15, 0}, {10, 5}, {15, 10}, {20, 5}}}};
+    for (const Polygon& region : {on_corner, on_edge, cut_through}) {
+        const std::vector<Polygon> parts = oa::come_apart({region});
+        ASSERT_EQ(parts.size(), 2U);
+        EXPECT_NEAR(area(parts), area(std::vector<Polygon>{region}), 1e-9);
+        for (const Polygon& part : parts) EXPECT_TRUE(part.holes.empty());
+    }
+    // A hole that touches its outline at one place parts nothing.
+    const Polygon whole{{{0, 0}, {30, 0}, {30, 10}, {0, 10}}, {{{15, 0}, {10, 5}, {15, 8}, {20, 5}}}};
+    EXPECT_EQ(oa::come_apart({whole}).size(), 1U);
+    EXPECT_EQ(oa::come_apart({whole}).front().holes.size(), 1U);
 }
 
 TEST(Oa, EdgesThatJustMissWhatTheyStandOnAreDrawnDown) {
