@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/geometry/edge_index.h"
 #include "base/nth.h"
 #include "folded/closure.h"
 #include "folded/least_step.h"
@@ -374,6 +375,42 @@ Refined refine(Sheet& sheet, const Paths& paths, double most_mm, Work& work) {
     return best;
 }
 
+namespace {
+
+// Whether edges of panels cross with corners in these places.
+bool any_cross(const Sheet& sheet, const std::vector<Vec2>& corners) {
+    std::vector<Stretch> edges;
+    for (const Fold& fold : sheet.folds)
+        edges.insert(edges.end(), fold.stretches.begin(), fold.stretches.end());
+    for (const std::vector<Stretch>& cuts : sheet.cuts) edges.insert(edges.end(), cuts.begin(), cuts.end());
+    std::vector<Segment> placed;
+    placed.reserve(edges.size());
+    for (const Stretch& one : edges) placed.push_back({nth(corners, one.a), nth(corners, one.b)});
+    const EdgeIndex index({}, placed);
+    std::vector<int> found;
+    for (std::size_t i = 0; i < placed.size(); ++i) {
+        const Segment& s = placed[i];
+        Box box;
+        box.extend(s.a);
+        box.extend(s.b);
+        index.query(box, found);
+        for (const int number : found) {
+            const Segment& t = nth(placed, number);
+            const Vec2 along_s = s.b - s.a;
+            const Vec2 along_t = t.b - t.a;
+            if (cross(along_s, t.a - s.a) * cross(along_s, t.b - s.a) < 0.0 &&
+                cross(along_t, s.a - t.a) * cross(along_t, s.b - t.a) < 0.0) {
+                const Stretch& other = nth(edges, number);
+                const Stretch& own = edges[i];
+                if (own.a != other.a && own.a != other.b && own.b != other.a && own.b != other.b) return true;
+            }
+        }
+    }
+    return false;
+}
+
+}  // namespace
+
 bool keeps_panels(const Sheet& sheet, const std::vector<Vec2>& corners) {
     constexpr double kLeastLeft = 1e-3;
     const bool have_areas = std::all_of(sheet.panels.begin(), sheet.panels.end(), [&](const Panel& panel) {
@@ -385,12 +422,13 @@ bool keeps_panels(const Sheet& sheet, const std::vector<Vec2>& corners) {
         }
         return signed_area(after) > kLeastLeft * signed_area(before);
     });
-    return have_areas && std::all_of(sheet.folds.begin(), sheet.folds.end(), [&](const Fold& fold) {
-               return std::all_of(fold.stretches.begin(), fold.stretches.end(), [&](const Stretch& one) {
-                   return distance(nth(corners, one.a), nth(corners, one.b)) >
-                          kLeastLeft * distance(sheet.at(one.a), sheet.at(one.b));
-               });
-           });
+    const bool have_lengths = std::all_of(sheet.folds.begin(), sheet.folds.end(), [&](const Fold& fold) {
+        return std::all_of(fold.stretches.begin(), fold.stretches.end(), [&](const Stretch& one) {
+            return distance(nth(corners, one.a), nth(corners, one.b)) >
+                   kLeastLeft * distance(sheet.at(one.a), sheet.at(one.b));
+        });
+    });
+    return have_areas && have_lengths && !any_cross(sheet, corners);
 }
 
 void move_corners(Sheet& sheet, std::vector<Vec2> corners) {

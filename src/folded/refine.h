@@ -31,7 +31,8 @@ Refined refine(Sheet& sheet, const Paths& paths, double most_mm, Work& work);
 void tell(const Refined& refined, const CreasePattern& pattern, const Sheet& sheet, Diagnostics& diagnostics);
 
 // Whether panels and folds are still there with their corners in these places: each panel the right way
-// round, with a thousandth of its area at least, and each stretch of a fold with as much of its length.
+// round, with a thousandth of its area at least, and each stretch of a fold with as much of its length; and
+// no edges cross.
 bool keeps_panels(const Sheet& sheet, const std::vector<Vec2>& corners);
 
 // Gives the corners of a sheet new places.
