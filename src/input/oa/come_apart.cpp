@@ -14,26 +14,73 @@
 namespace popup::oa {
 namespace {
 
-// The edges of a region, paper on the left of each, parted where a corner of it lies on them; nothing where
-// no corner touches another edge, and none is passed twice.
-std::vector<Segment> edges_where_it_touches(const Polygon& region) {
-    std::vector<Segment> edges = edges_of(region);
+// Corners and edges no further apart than this touch.
+constexpr double kTouching = kOnGridLineMm;
+// What rounding may make of an area, in mm².
+constexpr double kSpeck = 1e-3;
+
+using Key = std::pair<double, double>;
+Key key(Vec2 p) { return {p.x, p.y}; }
+
+// Calls `look` with the number of each edge that comes near the point, until it returns true. Returns whether
+// it did.
+template <typename Look>
+bool any_edge_near(const EdgeIndex& index, Vec2 p, std::vector<int>& found, const Look& look) {
+    const Vec2 reach{kTouching, kTouching};
+    index.query({p - reach, p + reach}, found);
+    std::sort(found.begin(), found.end());
+    return std::any_of(found.begin(), found.end(), look);
+}
+
+// Whether a corner touches an edge that does not begin or end there, or another corner.
+bool touches_itself(const std::vector<Segment>& edges) {
+    const EdgeIndex index({}, edges);
+    std::vector<int> found;
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+        const Vec2 p = edges[i].a;
+        std::size_t own = 0;
+        const bool any = any_edge_near(index, p, found, [&](int number) {
+            const Segment& edge = index[number];
+            if ((edge.a == p || edge.b == p) && ++own <= 2) return false;
+            return distance(p, edge) <= kTouching;
+        });
+        if (any) return true;
+    }
+    return false;
+}
+
+// Makes one of corners that touch.
+void join_corners(std::vector<Segment>& edges) {
+    const EdgeIndex index({}, edges);
+    std::map<Key, Vec2> place;
+    std::vector<int> found;
+    for (const Segment& edge : edges) {
+        Vec2 at = edge.a;
+        any_edge_near(index, edge.a, found, [&](int number) {
+            const auto known = place.find(key(index[number].a));
+            if (known == place.end() || distance(known->second, edge.a) > kTouching) return false;
+            at = known->second;
+            return true;
+        });
+        place.emplace(key(edge.a), at);
+    }
+    for (Segment& edge : edges) edge = {place.at(key(edge.a)), place.at(key(edge.b))};
+    std::erase_if(edges, [](const Segment& edge) { return edge.a == edge.b; });
+}
+
+// Parts edges where a corner touches them.
+void part_at_corners(std::vector<Segment>& edges) {
     const EdgeIndex index({}, edges);
     std::vector<int> found;
     std::vector<std::pair<int, Vec2>> touched;  // edges, and the corners on them
-    bool twice = false;
-    for (std::size_t i = 0; i < edges.size(); ++i) {
-        const Vec2 p = edges[i].a;
-        const Vec2 reach{kOnGridLineMm, kOnGridLineMm};
-        index.query({p - reach, p + reach}, found);
-        for (const int number : found) {
+    for (const Segment& corner : edges) {
+        any_edge_near(index, corner.a, found, [&](int number) {
             const Segment& edge = index[number];
-            if (edge.a == p) twice = twice || static_cast<std::size_t>(number) != i;
-            if (edge.a == p || edge.b == p || distance(p, edge) > kOnGridLineMm) continue;
-            touched.emplace_back(number, p);
-        }
+            if (edge.a != corner.a && edge.b != corner.a && distance(corner.a, edge) <= kTouching)
+                touched.emplace_back(number, corner.a);
+            return false;
+        });
     }
-    if (touched.empty()) return twice ? edges : std::vector<Segment>{};
     std::sort(touched.begin(), touched.end(), [&](const auto& one, const auto& other) {
         if (one.first != other.first) return one.first < other.first;
         const Vec2 from = index[one.first].a;
@@ -46,14 +93,22 @@ std::vector<Segment> edges_where_it_touches(const Polygon& region) {
         nth(edges, number).b = at;
         edges.push_back({at, end});
     }
-    return edges;
 }
 
-// Rings of the edges. Where several begin in a point the one is next that follows on the border of the same
-// paper.
+// There and back between two corners is no paper.
+void drop_back_and_forth(std::vector<Segment>& edges) {
+    std::map<std::pair<Key, Key>, int> back;
+    for (const Segment& edge : edges) ++back[{key(edge.b), key(edge.a)}];
+    std::erase_if(edges, [&](const Segment& edge) {
+        const auto found = back.find({key(edge.a), key(edge.b)});
+        return found != back.end() && found->second-- > 0;
+    });
+}
+
+// Rings of the edges, which have paper on their left. Where several begin in a point the one is next that
+// follows on the border of the same paper. Empty where one does not close.
 std::vector<Ring> rings_of(const std::vector<Segment>& edges) {
-    const auto key = [](Vec2 p) { return std::pair(p.x, p.y); };
-    std::map<std::pair<double, double>, std::vector<std::size_t>> from;
+    std::map<Key, std::vector<std::size_t>> from;
     for (std::size_t i = 0; i < edges.size(); ++i) from[key(edges[i].a)].push_back(i);
     // How far to turn from the edge's way back to the next one, clockwise.
     const auto turn = [&](const Segment& edge, const Segment& next) {
@@ -65,17 +120,19 @@ std::vector<Ring> rings_of(const std::vector<Segment>& edges) {
     std::vector<char> passed(edges.size(), 0);
     std::vector<Ring> rings;
     for (std::size_t first = 0; first < edges.size(); ++first) {
-        Ring ring;
-        for (std::size_t i = first; passed[i] == 0;) {
+        if (passed[first] != 0) continue;
+        Ring& ring = rings.emplace_back();
+        std::size_t i = first;
+        do {
+            if (passed[i] != 0) return {};
             passed[i] = 1;
             ring.push_back(edges[i].a);
             const std::vector<std::size_t>& next = from[key(edges[i].b)];
-            if (next.empty()) break;
+            if (next.empty()) return {};
             i = *std::min_element(next.begin(), next.end(), [&](std::size_t a, std::size_t b) {
                 return turn(edges[i], edges[a]) < turn(edges[i], edges[b]);
             });
-        }
-        if (!ring.empty()) rings.push_back(std::move(ring));
+        } while (i != first);
     }
     return rings;
 }
@@ -105,11 +162,14 @@ std::vector<Ring> loops_of(const Ring& ring) {
 std::vector<Polygon> come_apart(std::vector<Polygon> regions) {
     std::vector<Polygon> result;
     for (Polygon& region : regions) {
-        const std::vector<Segment> edges = edges_where_it_touches(region);
-        if (edges.empty()) {
+        std::vector<Segment> edges = edges_of(region);
+        if (!touches_itself(edges)) {
             result.push_back(std::move(region));
             continue;
         }
+        join_corners(edges);
+        part_at_corners(edges);
+        drop_back_and_forth(edges);
         std::vector<Polygon> parts;
         std::vector<Ring> holes;
         const auto sort_out = [&](Ring loop) {
@@ -132,6 +192,12 @@ std::vector<Polygon> come_apart(std::vector<Polygon> regions) {
                 if (best == nullptr || signed_area(part.outer) < signed_area(best->outer)) best = &part;
             }
             if (best != nullptr) best->holes.push_back(std::move(hole));
+        }
+        // Where rounding made more of it than corners that touch, it stays as it is.
+        const double lost = area(std::vector<Polygon>{region}) - area(parts);
+        if (std::abs(lost) > kSpeck) {
+            result.push_back(std::move(region));
+            continue;
         }
         for (Polygon& part : parts) result.push_back(std::move(part));
     }
