@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <utility>
 
 #include "base/geometry/tolerances.h"
@@ -33,11 +34,15 @@ void collect(const Ring& ring, int region, std::map<double, Meeting>& meetings) 
     }
 }
 
-bool meet_in_space(const Region& above, const Region& below, double x) {
-    if (above.upright == below.upright) return false;
+// Where the planes of two regions with a border at x meet, if that is there. Rounding may have put the border a
+// step of the grid beside it; the fold of the rest of the two would not be in line with it then.
+std::optional<double> meet_in_space(const Region& above, const Region& below, double x) {
+    if (above.upright == below.upright) return std::nullopt;
     const double depth = above.upright ? above.offset : below.offset;
     const double height = above.upright ? below.offset : above.offset;
-    return std::abs(depth - height - x) < kGridMm;
+    const double off = std::abs(depth - height - x);
+    if (off >= 1.5 * kGridMm) return std::nullopt;
+    return off < 0.75 * kGridMm ? x : depth - height;
 }
 
 std::size_t at(int number) { return static_cast<std::size_t>(number); }
@@ -66,8 +71,9 @@ std::vector<Fold> folds_between(const std::vector<Region>& regions) {
                 const double y0 = std::max(above.y0, below.y0);
                 const double y1 = std::min(above.y1, below.y1);
                 const Region& upper = regions[at(above.region)];
-                if (y1 - y0 < kTouchMm || !meet_in_space(upper, regions[at(below.region)], x)) continue;
-                folds.push_back({above.region, below.region, x, y0, y1, upper.upright});
+                if (y1 - y0 < kTouchMm) continue;
+                const auto fold_x = meet_in_space(upper, regions[at(below.region)], x);
+                if (fold_x) folds.push_back({above.region, below.region, *fold_x, y0, y1, upper.upright});
             }
         }
     }
