@@ -108,19 +108,35 @@ std::vector<Polygon> left_of(const std::vector<Polygon>& paper, const std::vecto
     return left;
 }
 
+// Whether all the paper just round the hole is in one part and stays so: then no plate comes apart, for what
+// was joined through there still is. Says nothing where it is false.
+bool stays_whole_near(const std::vector<Polygon>& near, const std::vector<Polygon>& reach) {
+    const auto parts =
+        std::count_if(near.begin(), near.end(), [](const Polygon& part) { return area(part) > kSpeckMm2; });
+    return parts == 1 && left_of(near, reach).size() == 1;
+}
+
 // The fault of a hole that cuts a plate into parts, or leaves nothing of it; nullopt: none. `reach`: the hole
 // with kTouchMm around it. Adds the plates that lose paper to `made`.
-std::optional<Pierced> leaves_parts(const Sheet& sheet, const std::vector<int>& plates, const Ring& ring,
-                                    const std::vector<Polygon>& reach, Pierced& made) {
+std::optional<Pierced> leaves_parts(const Sheet& sheet, const std::vector<int>& plates, int page,
+                                    const Ring& ring, const std::vector<Polygon>& reach, Pierced& made) {
     constexpr std::string_view kHint = "make it smaller, so that every part of the card stays in one piece";
+    constexpr double kAroundMm = 10.0 * kTouchMm;
     const std::vector<Polygon> hole{{ring, {}}};
+    const Box box = bounds(ring);
+    const Vec2 low = box.min - Vec2{kAroundMm, kAroundMm};
+    const Vec2 high = box.max + Vec2{kAroundMm, kAroundMm};
+    const std::vector<Polygon> window{{{low, {high.x, low.y}, high, {low.x, high.y}}, {}}};
     for (const int plate : plates) {
-        const std::vector<Polygon> paper = paper_of(sheet.skeleton, plate, 0.0);
-        if (area(intersect(paper, hole)) <= kSpeckMm2) continue;
+        const std::vector<Polygon> near =
+            intersect(sheet.paper.paper_near(plate, page, 0.0, {low, high}), window);
+        if (area(intersect(near, hole)) <= kSpeckMm2) continue;
         made.plates.push_back(plate);
+        if (stays_whole_near(near, reach)) continue;
         const auto fault = [&](std::string what) {
             return refused("hole-off-piece", std::move(what), std::string(kHint));
         };
+        const std::vector<Polygon> paper = paper_of(sheet.skeleton, plate, 0.0);
         const std::size_t parts = left_of(paper, hole).size();
         if (parts > 1)
             return fault(fmt::format("it cuts \"{}\" into {} parts", name_of(sheet, plate), parts));
@@ -178,7 +194,7 @@ Pierced pierce(const Sheet& sheet, int page, const Ring& ring) {
         std::copy_if(plates.begin(), plates.end(), std::back_inserter(made.plates),
                      [&](int plate) { return sheet.paper.has_paper(plate, page, at); });
     } else {
-        if (auto fault = leaves_parts(sheet, plates, ring, reach, made)) return std::move(*fault);
+        if (auto fault = leaves_parts(sheet, plates, page, ring, reach, made)) return std::move(*fault);
         made.narrow = sheet.paper.narrow_beside_hole(page, ring, kTearsMm);
         // A third hole may have taken what was between the two.
         if (made.narrow && std::none_of(plates.begin(), plates.end(), [&](int plate) {
