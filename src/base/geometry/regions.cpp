@@ -424,7 +424,9 @@ Ring tidied(const Ring& ring, double tolerance) {
         Ring next;
         for (std::size_t i = 0; i < kept.size(); ++i) {
             const Vec2 before = next.empty() ? kept.back() : next.back();
-            const Vec2 after = kept[i + 1 == kept.size() ? 0 : i + 1];
+            // The last one's neighbour is the first that stays: of two corners in one place one does.
+            const bool last = i + 1 == kept.size();
+            const Vec2 after = !last ? kept[i + 1] : next.empty() ? kept.front() : next.front();
             const Vec2 along = after - before;
             const double span = length(along);
             const bool straight = distance(before, kept[i]) <= tolerance || span <= tolerance ||

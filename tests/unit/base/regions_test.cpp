@@ -258,6 +258,20 @@ TEST(Regions, ClippedLinesLieInTheAreaAndTheRestDoesNot) {
     }
 }
 
+TEST(Regions, OfCornersInOnePlaceOneStays) {
+    const Ring corners{{0, 0}, {26, 0}, {23, 10}, {3, 10}};
+    for (std::size_t doubled = 0; doubled < corners.size(); ++doubled) {
+        for (std::size_t first = 0; first <= corners.size(); ++first) {
+            Ring ring = corners;
+            ring.insert(ring.begin() + static_cast<std::ptrdiff_t>(doubled), corners[doubled]);
+            std::rotate(ring.begin(), ring.begin() + static_cast<std::ptrdiff_t>(first), ring.end());
+            const Ring made = tidied(ring, 1e-4);
+            EXPECT_EQ(made.size(), 4U);
+            EXPECT_NEAR(signed_area(made), 230.0, 1e-9);
+        }
+    }
+}
+
 TEST(Regions, ALineThatHardlyLeavesAnEdgeEndsWithIt) {
     std::mt19937 random(5);
     std::uniform_real_distribution<double> angles(-3.2, 3.2);

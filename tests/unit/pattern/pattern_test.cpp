@@ -412,6 +412,22 @@ TEST(Pattern, AnObstacleUnderTheMiddleSplitsATab) {
     EXPECT_NEAR(length_with_depth(parts, 3.0), 50 - 2 - 2 * 3 * std::tan(0.5), 1e-3);
 }
 
+TEST(Pattern, AnObstacleThatIsAHairTooNearTakesAHair) {
+    // Beside the seam's end, nearer than the gap by less than any machine keeps.
+    for (int i = 0; i <= 200; ++i) {
+        const double by = 1e-5 * i;
+        for (const double taper : {0.0, 15 * kPi / 180, 30 * kPi / 180}) {
+            const Ring full = full_tab(26, {10, taper, 1});
+            for (const double x : {-1.0 + by, 27.0 - by}) {
+                const auto parts =
+                    trimmed_tab(26, {10, taper, 1}, std::vector<Segment>{{{x, -3}, {x, 16}}}, {});
+                ASSERT_EQ(parts.size(), 1U) << by << ' ' << taper;
+                EXPECT_NEAR(signed_area(parts[0]), signed_area(full), 0.05) << by << ' ' << taper;
+            }
+        }
+    }
+}
+
 TEST(Pattern, SmallBumpsBetweenObstaclesAreCutOff) {
     // A row of needle tips: the bays between them are not worth their corners.
     std::vector<Segment> tips;
