@@ -66,6 +66,9 @@ struct MotionOptions {
     std::optional<double> clearance_mm;  // > 0: also name the pairs that come closer than this
     std::optional<double> paper_mm;  // > 0: thickness of the paper; gives the thickness of the closed card
     Tolerances tolerances;
+    // Look for moves of elements that would part what collides, sticks out or lies on another: for hints, and
+    // for Motion::moves. It can take longer than all else.
+    bool find_moves = true;
     // Of earlier examinations of the design, looked up and renewed. Null: there is none. Not used where folds
     // are put in an order. It must outlive the call.
     ExaminationMemory* memory = nullptr;

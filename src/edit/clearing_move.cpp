@@ -18,6 +18,9 @@ namespace {
 constexpr std::size_t kMostElements = 150;
 constexpr std::size_t kElementsTried = 160;  // elements times compilations
 constexpr std::size_t kMostTrials = 8;
+// Poses of pairs looked at in all trials; after so many there is no other. Most designs take some hundreds
+// each.
+constexpr std::size_t kMostPoses = 20'000;
 constexpr double kFurthestMm = 100.0;
 constexpr double kTabStepMm = 0.5;
 constexpr double kTabPreciseMm = 0.002;  // before lengths are rounded up to the hundredth
@@ -62,7 +65,7 @@ class MoveSearch {
     std::optional<std::string> shortest() {
         if (trials_ == 0) return std::nullopt;
         for (const double mm : clear_moves()) {
-            if (trials_ == 0) break;
+            if (trials_ == 0 || poses_ > kMostPoses) break;
             const auto by = tried(mm);
             if (!by) continue;
             return fmt::format(
@@ -142,6 +145,7 @@ class MoveSearch {
         options.fitting_size = {};
         options.clearing_move = {};
         options.motion.memory = nullptr;
+        options.motion.find_moves = false;
         options.progress = {};
         options.until = Stage::check;
         Source source = one_.source;
@@ -149,6 +153,7 @@ class MoveSearch {
         Compilation trial = compile({source}, options, one_.diagnostics.policy());
         CompiledDesign& moved = trial.designs.front();
         find_further(moved, options);
+        if (moved.motion && moved.motion->examination) poses_ += moved.motion->examination->poses;
         if (!moved.assembly || (moves(*moved.assembly) && !moved.motion)) return std::nullopt;
         const edit::FindingCounts found = edit::count_findings(moved.diagnostics);
         if (found.contains({"glue-overlaps", element_}) || edit::finds_more(before(), found))
@@ -185,6 +190,7 @@ class MoveSearch {
     const CompileOptions& options_;
     const std::string& element_;
     std::size_t trials_ = 0;
+    std::size_t poses_ = 0;
     std::optional<edit::FindingCounts> before_;
 };
 

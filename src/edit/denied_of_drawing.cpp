@@ -22,6 +22,7 @@ std::vector<Diagnostic> errors_of(const Source& source, const CompileOptions& op
     plain.move_command = {};
     plain.move_holds = {};
     plain.motion.memory = nullptr;
+    plain.motion.find_moves = false;
     const Compilation run = compile({source}, plain, policy);
     std::vector<Diagnostic> errors = run.designs.front().diagnostics.sorted();
     std::erase_if(errors, [](const Diagnostic& one) { return one.severity != Severity::error; });

@@ -264,6 +264,7 @@ Counts counted_all(const Source& source, const CompileOptions& options, const Di
     plain.fitting_size = {};
     plain.clearing_move = {};
     plain.motion.memory = nullptr;
+    plain.motion.find_moves = false;
     Counts counts;
     for (const Diagnostic& one : look_at_all(source.text, source.name, plain, policy).found)
         ++counts[{one.severity, one.code, one.element}];

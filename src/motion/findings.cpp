@@ -99,9 +99,7 @@ class Findings {
                 finding.hint("move one of the two aside, or end it before the fold");
                 continue;
             }
-            if (joints.first == joints.second || tried++ == kMostTries ||
-                assembly_.plates.size() > kMostPlates)
-                continue;
+            if (joints.first == joints.second || !may_try(tried)) continue;
             if (const auto move = freeing_move(assembly_, linkage_, shapes_,
                                                pairs_between(assembly_, joints.first, joints.second),
                                                contacts, budget_, options_.move_holds)) {
@@ -134,7 +132,7 @@ class Findings {
             finding.about(joint.name);
             const int other = first ? most.a : most.b;
             also(finding, first ? most.b : most.a, other);
-            if (tried++ == kMostTries || assembly_.plates.size() > kMostPlates) continue;
+            if (!may_try(tried)) continue;
             const auto move = freeing_move(assembly_, linkage_, shapes_,
                                            pairs_between(assembly_, joints.first, joints.second), contacts,
                                            budget_, options_.move_holds, true);
@@ -195,7 +193,7 @@ class Findings {
             finding.about(element.name);
             std::optional<ElementMove> move;
             std::optional<std::string> size;
-            if (tried++ < kMostTries && assembly_.plates.size() <= kMostPlates) {
+            if (may_try(tried)) {
                 move = tucking_move(assembly_, linkage_, shapes_, joint, all, contacts, budget_,
                                     options_.move_holds);
                 if (options_.fitting_size && tried <= kMostSizes)
@@ -292,6 +290,10 @@ class Findings {
     }
 
  private:
+    // Whether to look for one more move, after so many.
+    bool may_try(int& tried) const {
+        return options_.find_moves && assembly_.plates.size() <= kMostPlates && tried++ < kMostTries;
+    }
     [[nodiscard]] const std::string& name(int plate) const {
         return assembly_.plates[static_cast<std::size_t>(plate)].name;
     }
