@@ -62,7 +62,16 @@ class Freer {
         options_.progress = {};
         options_.fitting_size = {};  // nobody reads the hints
         options_.move_command = {};
+        // The motion knows nothing of tabs: a move that costs some is passed over, and another one looked
+        // for.
+        options_.move_holds = [this, holds = options.move_holds](const CompiledDesign& one,
+                                                                 const CompileOptions& all,
+                                                                 const std::string& element, Vec2 by) {
+            return (!holds || holds(one, all, element, by)) && keeps_tabs(one, element, by);
+        };
     }
+    Freer(const Freer&) = delete;
+    Freer& operator=(const Freer&) = delete;
 
     FreedDocument run(const std::string& text) {
         FreedDocument made{text, {}, {}};
@@ -97,6 +106,31 @@ class Freer {
         }
         made.accepted = !design.diagnostics.has_errors() && design.diagnostics.repairs().empty();
         return made;
+    }
+
+    // Findings of tabs, by code.
+    [[nodiscard]] std::map<std::string, int> told_of_tabs(const Assembly& assembly) const {
+        Diagnostics found(name_, policy_);
+        judge_tabs(assembly, options_.pattern, found);
+        std::map<std::string, int> told;
+        for (const Diagnostic& one : found.sorted()) ++told[one.code];
+        return told;
+    }
+
+    // Whether no more is to be said of tabs once the element is moved.
+    [[nodiscard]] bool keeps_tabs(const CompiledDesign& one, const std::string& element, Vec2 by) const {
+        Design moved = *one.design;
+        FreeingMove move;
+        move.element = element;
+        move.by = by;
+        if (!move_element(moved, footings_of(*one.design), move)) return false;
+        CompileOptions options = options_;
+        options.until = Stage::assembly;
+        options.move_holds = {};
+        const Compilation run =
+            compile({Source{name_, language_.patch(one.source, moved)}}, options, policy_);
+        const std::optional<Assembly>& after = run.designs.front().assembly;
+        return after && no_more(told_of_tabs(*one.assembly), told_of_tabs(*after));
     }
 
     // One move, if any helps.
@@ -158,10 +192,15 @@ class Freer {
             return std::includes(had.begin(), had.end(), has.begin(), has.end());
         };
         return brings_none(before.colliding, after.colliding) && brings_none(before.lying, after.lying) &&
-               std::all_of(after.others.begin(), after.others.end(), [&](const auto& one) {
-                   const auto had = before.others.find(one.first);
-                   return had != before.others.end() && had->second >= one.second;
-               });
+               no_more(before.others, after.others);
+    }
+
+    // Whether nothing is found more often than before.
+    static bool no_more(const std::map<std::string, int>& before, const std::map<std::string, int>& after) {
+        return std::all_of(after.begin(), after.end(), [&](const auto& one) {
+            const auto had = before.find(one.first);
+            return had != before.end() && had->second >= one.second;
+        });
     }
 
     // "A (-3, -4) B (-3, 0.2) in", before and after.

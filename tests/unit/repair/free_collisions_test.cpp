@@ -252,6 +252,28 @@ TEST(FreeCollisions, PartsWhatLiesOnOneAnother) {
     EXPECT_EQ(told.find("lie on one another"), std::string::npos) << told;
 }
 
+// The sail's shortest move would cost it glue tabs; the hull can be moved as far, and costs none.
+TEST(FreeCollisions, MovesTheOtherWhereTheFirstWouldLoseItsTabs) {
+    const Source boat{"boat.xml", test::read_file(std::string(POPUP_SOURCE_DIR) + "/samples/boat.xml")};
+    Diagnostics trouble("boat.xml");
+    const EditLine leaning{{"set", "mainsail", "--angle=79.1478"}, {}};
+    const auto edited = edit_document(boat, {&leaning, 1}, {}, trouble, trouble);
+    ASSERT_TRUE(edited && !edited->refused) << test::findings(trouble);
+    const CompiledDesign before = compiled(edited->text);
+    ASSERT_EQ(colliding(before), (Pairs{{"hull-far", "mainsail"}}));
+    ASSERT_FALSE(before.motion->moves.empty());
+    EXPECT_EQ(before.motion->moves.front().element, "mainsail");
+    const FreedDocument freed =
+        free_collisions({"boat.xml", edited->text}, *find_language({}, "xml"), {}, {});
+    EXPECT_TRUE(freed.left.empty());
+    ASSERT_EQ(freed.moves.size(), 1U);
+    EXPECT_EQ(freed.moves.front().move.element, "hull-far");
+    CompileOptions options;
+    options.until = Stage::pattern;
+    const Compilation after = compile({{"boat.xml", freed.text}}, options, {});
+    EXPECT_EQ(test::findings(after.designs.front().diagnostics), "");
+}
+
 // Points are as they are written, and say so where that is not in millimetres.
 TEST(FreeCollisions, TellsTheUnitOfWhatMoved) {
     const auto points = [](const Unit& unit) {
