@@ -121,11 +121,11 @@ bool stays_whole_near(const std::vector<Polygon>& near, const std::vector<Polygo
 std::optional<Pierced> leaves_parts(const Sheet& sheet, const std::vector<int>& plates, int page,
                                     const Ring& ring, const std::vector<Polygon>& reach, Pierced& made) {
     constexpr std::string_view kHint = "make it smaller, so that every part of the card stays in one piece";
-    constexpr double kAroundMm = 10.0 * kTouchMm;
+    constexpr double kRoundHoleMm = 10.0 * kTouchMm;
     const std::vector<Polygon> hole{{ring, {}}};
     const Box box = bounds(ring);
-    const Vec2 low = box.min - Vec2{kAroundMm, kAroundMm};
-    const Vec2 high = box.max + Vec2{kAroundMm, kAroundMm};
+    const Vec2 low = box.min - Vec2{kRoundHoleMm, kRoundHoleMm};
+    const Vec2 high = box.max + Vec2{kRoundHoleMm, kRoundHoleMm};
     const std::vector<Polygon> window{{{low, {high.x, low.y}, high, {low.x, high.y}}, {}}};
     for (const int plate : plates) {
         const std::vector<Polygon> near =
