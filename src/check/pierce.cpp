@@ -117,7 +117,7 @@ bool stays_whole_near(const std::vector<Polygon>& near, const std::vector<Polygo
 }
 
 // The fault of a hole that cuts a plate into parts, or leaves nothing of it; nullopt: none. `reach`: the hole
-// with kTouchMm around it. Adds the plates that lose paper to `made`.
+// with half of kTouchMm around it. Adds the plates that lose paper to `made`.
 std::optional<Pierced> leaves_parts(const Sheet& sheet, const std::vector<int>& plates, int page,
                                     const Ring& ring, const std::vector<Polygon>& reach, Pierced& made) {
     constexpr std::string_view kHint = "make it smaller, so that every part of the card stays in one piece";
@@ -188,9 +188,14 @@ Pierced pierce(const Sheet& sheet, int page, const Ring& ring) {
                        "move it off what is glued to the page");
     }
     Pierced made;
-    // Paper that is narrower holds nothing.
-    const std::vector<Polygon> reach = alone ? hole : offset(hole, kTouchMm, Corners::rounded);
+    // Paper between two of its edges that is narrower than kTouchMm holds nothing.
+    const std::vector<Polygon> reach = offset(hole, 0.5 * kTouchMm, Corners::rounded);
     if (alone) {
+        if (area(reach) + kSpeckMm2 < std::abs(signed_area(reach.front().outer))) {
+            return refused("hole-off-piece",
+                           fmt::format("it goes round paper that hangs by less than {}", mm(kTouchMm)),
+                           "take what it goes round into it, or leave it a wider bridge");
+        }
         std::copy_if(plates.begin(), plates.end(), std::back_inserter(made.plates),
                      [&](int plate) { return sheet.paper.has_paper(plate, page, at); });
     } else {

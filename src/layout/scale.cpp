@@ -1,5 +1,10 @@
 #include "layout/scale.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <map>
 #include <optional>
 #include <utility>
 #include <variant>
@@ -17,7 +22,11 @@ void scale(Text& text, double by) {
 
 class Scaler {
  public:
-    Scaler(CurveTable curves, double by) : curves_(std::move(curves)), by_(by) { curves_.scale(by); }
+    Scaler(CurveTable curves, double by) : by_(by) {
+        for (FlatCurve& one : curves.curves()) add(std::move(one));
+        curves_ = std::move(curves);
+        curves_.scale(by);
+    }
 
     void scale(std::vector<Vec2>& points, bool closed) {
         for (Vec2& p : points) p = by_ * p;
@@ -26,20 +35,6 @@ class Scaler {
     void scale(Polygon& polygon) {
         scale(polygon.outer, true);
         for (Ring& hole : polygon.holes) scale(hole, true);
-    }
-    void scale(std::vector<PatternLine>& lines) {
-        std::vector<PatternLine> made;
-        made.reserve(lines.size());
-        for (PatternLine& line : lines) {
-            line.at = {by_ * line.at.a, by_ * line.at.b};
-            const auto finer = finer_than({line.at.a, line.at.b}, false);
-            for (std::size_t i = 1; finer && i < finer->size(); ++i) {
-                made.push_back(line);
-                made.back().at = {(*finer)[i - 1], (*finer)[i]};
-            }
-            if (!finer) made.push_back(line);
-        }
-        lines = std::move(made);
     }
     void scale(Print& print) {
         if (auto* area = std::get_if<Area>(&print)) return scale(area->shape);
@@ -55,16 +50,25 @@ class Scaler {
         for (Polygon& region : image.clip) scale(region);
     }
 
-    // Of all that was scaled.
-    [[nodiscard]] CurveTable curves() && { return is_finer() ? CurveTable(made_) : std::move(curves_); }
+    // Of all that was scaled, and of what keeps its chords.
+    [[nodiscard]] CurveTable curves() && {
+        if (!is_finer()) return std::move(curves_);
+        CurveTable made(known_);
+        made.scale(by_);
+        return made;
+    }
 
  private:
+    using Key = std::array<std::int64_t, 8>;
+    static constexpr double kSameCurvePerMm = 1e5;
+    static constexpr double kSameT = 1e-9;
+
     [[nodiscard]] bool is_finer() const { return by_ > 1.0 && !curves_.empty(); }
 
     // Points that are scaled, with new chords of their curves. nullopt: there is none.
     std::optional<std::vector<Vec2>> finer_than(const std::vector<Vec2>& points, bool closed) {
         if (!is_finer()) return std::nullopt;
-        const Restored restored = curves_.restored(points, closed, true);
+        const Restored restored = curves_.restored(points, closed, !closed);
         if (restored.steps.empty()) return std::nullopt;
         Path path;
         path.move(points[restored.start]);
@@ -77,13 +81,42 @@ class Scaler {
         if (closed) path.close();
         Flattened flat;
         if (flatten(path, flat) != FlatteningFault::none || flat.lines.size() != 1) return std::nullopt;
-        made_.insert(made_.end(), flat.curves.begin(), flat.curves.end());
+        for (FlatCurve& one : flat.curves) {
+            Cubic& c = one.cubic;
+            for (Vec2* p : {&c.from, &c.control_1, &c.control_2, &c.to}) *p = (1.0 / by_) * *p;
+            for (FlatCurve::Corner& corner : one.corners) corner.at = (1.0 / by_) * corner.at;
+            add(std::move(one));
+        }
         return std::move(flat.lines.front().points);
+    }
+
+    // A curve before it is scaled. Of one that is known the corners are added.
+    void add(FlatCurve curve) {
+        Key key{};
+        const Cubic& c = curve.cubic;
+        std::size_t n = 0;
+        for (const Vec2 p : {c.from, c.control_1, c.control_2, c.to}) {
+            key.at(n++) = std::llround(p.x * kSameCurvePerMm);
+            key.at(n++) = std::llround(p.y * kSameCurvePerMm);
+        }
+        const auto [place, fresh] = number_.try_emplace(key, known_.size());
+        if (fresh) {
+            known_.push_back(std::move(curve));
+            return;
+        }
+        std::vector<FlatCurve::Corner>& corners = known_[place->second].corners;
+        corners.insert(corners.end(), curve.corners.begin(), curve.corners.end());
+        std::stable_sort(corners.begin(), corners.end(),
+                         [](const auto& a, const auto& b) { return a.t < b.t; });
+        corners.erase(std::unique(corners.begin(), corners.end(),
+                                  [](const auto& a, const auto& b) { return b.t - a.t < kSameT; }),
+                      corners.end());
     }
 
     CurveTable curves_;
     double by_;
-    std::vector<FlatCurve> made_;
+    std::vector<FlatCurve> known_;       // each once, before it is scaled
+    std::map<Key, std::size_t> number_;  // in known_
 };
 
 }  // namespace
@@ -92,7 +125,7 @@ void scale_pattern(Pattern& pattern, double by) {
     Scaler scaler(std::move(pattern.curves), by);
     for (PatternPiece& piece : pattern.pieces) {
         for (Contour& cut : piece.cuts) scaler.scale(cut.points, cut.closed);
-        scaler.scale(piece.lines);
+        for (PatternLine& line : piece.lines) line.at = {by * line.at.a, by * line.at.b};
         for (PatternPrint& one : piece.prints) scaler.scale(one.print);
         for (GlueTarget& target : piece.targets) scaler.scale(target.outline, true);
         const auto scale_label = [by](Label& label) {
