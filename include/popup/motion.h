@@ -75,8 +75,9 @@ struct MotionOptions {
     // Called for an element that sticks out of the closed card by `by_mm`. Returns a size that was tried and
     // keeps it inside, in the words of a hint; nullopt: none does. Empty: hints name no size.
     std::function<std::optional<std::string>(const std::string& element, double by_mm)> fitting_size = {};
-    // Called for a move of an element that was tried and would be told. Returns whether the design, changed
-    // so, is the one that was tried; if not, the move is not told. Empty: all moves are told.
+    // Called for a move of an element that was tried and would be told. Returns whether it may be: whether
+    // the design, changed so, is the one that was tried, and what else the caller asks. If not, another move
+    // is looked for. Empty: all moves are told.
     std::function<bool(const std::string& element, Vec2 by)> move_holds = {};
     // Called for a move of an element that a hint tells, by so many mm on the page of its left driving plate.
     // Returns what to type for it; nullopt: nothing does it. Empty: hints name no command.

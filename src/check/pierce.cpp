@@ -143,7 +143,7 @@ std::optional<Pierced> leaves_parts(const Sheet& sheet, const std::vector<int>& 
         const std::size_t held = left_of(paper, reach).size();
         if (held == 1) continue;
         if (held == 0) return fault(fmt::format("it leaves nothing of \"{}\"", name_of(sheet, plate)));
-        return fault(fmt::format("two parts of \"{}\" hang together by less than {} beside it",
+        return fault(fmt::format("it leaves two parts of \"{}\" that hang together by less than {}",
                                  name_of(sheet, plate), mm(kTouchMm)));
     }
     return std::nullopt;
@@ -193,8 +193,8 @@ Pierced pierce(const Sheet& sheet, int page, const Ring& ring) {
     if (alone) {
         if (area(reach) + kSpeckMm2 < std::abs(signed_area(reach.front().outer))) {
             return refused("hole-off-piece",
-                           fmt::format("it goes round paper that hangs by less than {}", mm(kTouchMm)),
-                           "take what it goes round into it, or leave it a wider bridge");
+                           fmt::format("it surrounds paper that is held by less than {}", mm(kTouchMm)),
+                           "cut that paper out as well, or leave it a wider bridge");
         }
         std::copy_if(plates.begin(), plates.end(), std::back_inserter(made.plates),
                      [&](int plate) { return sheet.paper.has_paper(plate, page, at); });

@@ -141,12 +141,7 @@ class MoveSearch {
             edit_document(one_.source, {&edit, 1}, {false, options_.read, options_.check}, unheard, unheard);
         if (!edited || edited->refused || unheard.has_findings()) return std::nullopt;
         --trials_;
-        CompileOptions options = options_;
-        options.fitting_size = {};
-        options.clearing_move = {};
-        options.motion.memory = nullptr;
-        options.motion.find_moves = false;
-        options.progress = {};
+        CompileOptions options = edit::without_hints(options_);
         options.until = Stage::check;
         Source source = one_.source;
         source.text = edited->text;

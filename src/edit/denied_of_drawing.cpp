@@ -7,22 +7,17 @@
 #include <utility>
 #include <vector>
 
+#include "edit/trial.h"
+
 namespace popup::edit {
 namespace {
 
 std::vector<Diagnostic> errors_of(const Source& source, const CompileOptions& options,
                                   const DiagnosticPolicy& policy) {
-    CompileOptions plain = options;
+    CompileOptions plain = without_hints(options);
     plain.read.drawing.as = DrawnAs::folded;
     plain.until = Stage::pattern;
     plain.threads = 1;
-    plain.progress = {};
-    plain.fitting_size = {};
-    plain.clearing_move = {};
-    plain.move_command = {};
-    plain.move_holds = {};
-    plain.motion.memory = nullptr;
-    plain.motion.find_moves = false;
     const Compilation run = compile({source}, plain, policy);
     std::vector<Diagnostic> errors = run.designs.front().diagnostics.sorted();
     std::erase_if(errors, [](const Diagnostic& one) { return one.severity != Severity::error; });

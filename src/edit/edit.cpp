@@ -17,6 +17,7 @@
 #include "edit/moved_places.h"
 #include "edit/quick_look.h"
 #include "edit/session.h"
+#include "edit/trial.h"
 #include "input/text.h"
 #include "input/xml/read.h"
 #include "mechanism/arguments.h"
@@ -260,13 +261,8 @@ Looked look_at_all(const std::string& text, const std::string& name, const Compi
 
 // As the findings of a document as it was: no move is looked for that would mend them.
 Counts counted_all(const Source& source, const CompileOptions& options, const DiagnosticPolicy& policy) {
-    CompileOptions plain = options;
-    plain.fitting_size = {};
-    plain.clearing_move = {};
-    plain.motion.memory = nullptr;
-    plain.motion.find_moves = false;
     Counts counts;
-    for (const Diagnostic& one : look_at_all(source.text, source.name, plain, policy).found)
+    for (const Diagnostic& one : look_at_all(source.text, source.name, without_hints(options), policy).found)
         ++counts[{one.severity, one.code, one.element}];
     return counts;
 }

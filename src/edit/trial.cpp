@@ -10,6 +10,17 @@ bool can_be_tried(const CompiledDesign& design, const CompileOptions& options) {
            !language->drawn;
 }
 
+CompileOptions without_hints(CompileOptions options) {
+    options.fitting_size = {};
+    options.clearing_move = {};
+    options.move_command = {};
+    options.move_holds = {};
+    options.motion.find_moves = false;
+    options.motion.memory = nullptr;
+    options.progress = {};
+    return options;
+}
+
 std::optional<Assembly> assembled(const Source& source, const CompileOptions& options, Diagnostics& found) {
     const auto design = read_design(source, options.read, found);
     if (!design) return std::nullopt;

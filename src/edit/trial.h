@@ -15,6 +15,10 @@ namespace popup::edit {
 // Whether edits of its text can be tried: it is a document that people write, and that was checked.
 bool can_be_tried(const CompiledDesign& design, const CompileOptions& options);
 
+// The options for a compilation of which only the findings count: nothing is tried out for their hints, no
+// examination is remembered, and no progress is told.
+CompileOptions without_hints(CompileOptions options);
+
 // The source, read, checked and assembled as in a compilation. nullopt: that cannot be.
 std::optional<Assembly> assembled(const Source& source, const CompileOptions& options, Diagnostics& found);
 

@@ -23,7 +23,9 @@ void scale(Text& text, double by) {
 class Scaler {
  public:
     Scaler(CurveTable curves, double by) : by_(by) {
-        for (FlatCurve& one : curves.curves()) add(std::move(one));
+        if (by > 1.0) {
+            for (FlatCurve& one : curves.curves()) add(std::move(one));
+        }
         curves_ = std::move(curves);
         curves_.scale(by);
     }
@@ -63,7 +65,7 @@ class Scaler {
     static constexpr double kSameCurvePerMm = 1e5;
     static constexpr double kSameT = 1e-9;
 
-    [[nodiscard]] bool is_finer() const { return by_ > 1.0 && !curves_.empty(); }
+    [[nodiscard]] bool is_finer() const { return !known_.empty(); }
 
     // Points that are scaled, with new chords of their curves. nullopt: there is none.
     std::optional<std::vector<Vec2>> finer_than(const std::vector<Vec2>& points, bool closed) {
@@ -115,7 +117,7 @@ class Scaler {
 
     CurveTable curves_;
     double by_;
-    std::vector<FlatCurve> known_;       // each once, before it is scaled
+    std::vector<FlatCurve> known_;       // each once, before it is scaled; none where nothing becomes larger
     std::map<Key, std::size_t> number_;  // in known_
 };
 
