@@ -108,8 +108,8 @@ std::vector<Polygon> left_of(const std::vector<Polygon>& paper, const std::vecto
     return left;
 }
 
-// Whether all the paper just round the hole is in one part and stays so: then no plate comes apart, for what
-// was joined through there still is. Says nothing where it is false.
+// True if the paper just round the hole is one part, and still is one without the hole: what was joined
+// through there stays joined, and no plate comes apart. False proves nothing.
 bool stays_whole_near(const std::vector<Polygon>& near, const std::vector<Polygon>& reach) {
     const auto parts =
         std::count_if(near.begin(), near.end(), [](const Polygon& part) { return area(part) > kSpeckMm2; });
@@ -188,7 +188,7 @@ Pierced pierce(const Sheet& sheet, int page, const Ring& ring) {
                        "move it off what is glued to the page");
     }
     Pierced made;
-    // Paper between two of its edges that is narrower than kTouchMm holds nothing.
+    // Paper narrower than kTouchMm holds nothing: half of that is taken from it on either side.
     const std::vector<Polygon> reach = offset(hole, 0.5 * kTouchMm, Corners::rounded);
     if (alone) {
         if (area(reach) + kSpeckMm2 < std::abs(signed_area(reach.front().outer))) {

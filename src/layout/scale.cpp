@@ -52,7 +52,7 @@ class Scaler {
         for (Polygon& region : image.clip) scale(region);
     }
 
-    // Of all that was scaled, and of what keeps its chords.
+    // The curves of all that was scaled, and of lines that keep their chords.
     [[nodiscard]] CurveTable curves() && {
         if (!is_finer()) return std::move(curves_);
         CurveTable made(known_);

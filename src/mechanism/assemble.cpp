@@ -181,7 +181,7 @@ void add_fold_lines(const Skeleton& skeleton, Assembly& assembly) {
         const LineKind kind = fold.closed_deg == 0 ? LineKind::valley : LineKind::mountain;
         const double size = fold.length();
         const auto stretch = [&](double lo, double hi) {
-            // So little is left between two things that end on one line of the drawing.
+            // A rest this short is the rounding of two things that end in one place.
             if (hi - lo < kSameLineMm) return;
             const Segment at{lo <= 0.0 ? fold.on_left.a : lerp(fold.on_left.a, fold.on_left.b, lo / size),
                              hi >= size ? fold.on_left.b : lerp(fold.on_left.a, fold.on_left.b, hi / size)};

@@ -20,7 +20,7 @@ struct ClosedContour {
     int parent = -1;            // the contour it lies in, the innermost
     int root = 0;               // the outermost contour around it; itself when there is none
     int depth = 0;              // how many contours it lies in, counted by parents
-    // Those it pokes over, or that poke over it, by no more than kDeepMm: ascending.
+    // Contours whose edge it crosses by no more than kDeepMm; ascending.
     std::vector<int> grazed;
 };
 

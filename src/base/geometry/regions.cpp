@@ -343,8 +343,8 @@ class LineCutter {
     }
 
  private:
-    // An edge that leaves the line at so flat an angle that the middle of the two is on it still: it ends no
-    // further from the line than twice that, and where it ends another part begins.
+    // A line may leave an edge at so flat an angle that halfway it still counts as on it. The edge then ends
+    // within twice that distance of the line, and a part of the line must end there, too.
     static constexpr double kEndNearMm = 3.0 * kOnGridLineMm;
 
     // Where along a–b the line may enter or leave the area, as parts of its length, from 0 to 1.

@@ -20,7 +20,7 @@ constexpr double kTouching = kOnGridLineMm;
 // What rounding may make of an area, in mm².
 constexpr double kSpeck = 1e-3;
 // How near to the best place for a point inside of a part it is looked for.
-constexpr double kInnerMm = 1e-3;
+constexpr double kPointInsideMm = 1e-3;
 
 // Whether a corner touches an edge that does not begin or end there, or another corner.
 bool touches_itself(const std::vector<Segment>& edges) {
@@ -86,7 +86,8 @@ std::optional<std::vector<Polygon>> parts_of(const Polygon& region) {
     std::vector<Polygon> parts;
     for (int face = 1; face < graph->faces(); ++face) {
         std::optional<Polygon> shape = shape_of(*graph, face);
-        if (shape && contains(region, inner_point(*shape, kInnerMm).at)) parts.push_back(std::move(*shape));
+        if (shape && contains(region, inner_point(*shape, kPointInsideMm).at))
+            parts.push_back(std::move(*shape));
     }
     if (std::abs(area(parts) - area(region)) > kSpeck) return std::nullopt;
     return parts;

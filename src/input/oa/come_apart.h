@@ -7,9 +7,9 @@
 
 namespace popup::oa {
 
-// The regions, none of whose rings passes a corner twice, or hangs by corners that lie on edges, to two steps
-// of the grid: they are taken apart there. Precondition: they are results of base/geometry/regions.h. Cost:
-// near linear in corners; in such regions times their parts.
+// The regions, taken apart wherever they hang together by single points: where a ring passes a corner twice,
+// or a corner lies on an edge, within two steps of the grid. Precondition: they are results of
+// base/geometry/regions.h. Cost: near linear in corners.
 std::vector<Polygon> come_apart(std::vector<Polygon> regions);
 
 }  // namespace popup::oa

@@ -34,8 +34,8 @@ void collect(const Ring& ring, int region, std::map<double, Meeting>& meetings) 
     }
 }
 
-// Where the planes of two regions with a border at x meet, if that is there. Rounding may have put the border
-// a step of the grid beside it; the fold of the rest of the two would not be in line with it then.
+// The x at which the planes of two regions meet, if their border at x lies there. Rounding may have put the
+// border one step of the grid beside it; the fold must stand in line with the others of the two.
 std::optional<double> meet_in_space(const Region& above, const Region& below, double x) {
     if (above.upright == below.upright) return std::nullopt;
     const double depth = above.upright ? above.offset : below.offset;

@@ -68,8 +68,8 @@ class LeftoverFinder {
         }
     }
 
-    // What lies where closed cuts overlap is no island, which one hole would surround: two of what falls out
-    // are beside it. With both it makes one hole.
+    // Where closed cuts overlap, what both enclose falls out as well. It is no island: an island lies in one
+    // hole, and this has two holes beside it. All three become one hole.
     void take_overlaps(std::vector<Loose>& loose) {
         const auto group = [&](int face) { return nth(features_.group_of, face); };
         std::map<int, std::size_t> number;  // in `loose`, by group
