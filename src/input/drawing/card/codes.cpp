@@ -53,6 +53,11 @@ constexpr std::array kDrawnCardCodes = std::to_array<CodeInfo>({
      "The two halves of a card are equally wide, so that they lie on each other when it is closed. The fold "
      "that goes from edge to edge lies more than half a millimetre beside the middle of the border. Move the "
      "fold, or the border of the page, until both halves are the same."},
+    {"hole-beside-fold", Severity::remark, "a closed cut with a side on a fold",
+     "A side of this closed cut lies on a fold. What is cut all around falls out, so it is a hole that ends "
+     "at the fold, as a door does that reaches down to the ground. Leave that side out of the cut if the "
+     "paper is to stay, and hang on the fold. If it is meant as a hole, a layer, class or id called hole or "
+     "window says so, and nothing is told."},
     {"hole-over-fold", Severity::remark, "an outline across a fold that is a hole",
      "A closed outline that lies across a fold is a feature that pops up if there are folds in it: its own, "
      "or "

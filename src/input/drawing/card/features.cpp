@@ -60,6 +60,29 @@ class FeatureFinder {
         out_.drives.push_back(drive);
     }
 
+    enum class Border { open, cut, cut_on_one_fold };
+
+    // `cut`: all of the face's border is drawn as a cut. Folds that lie on it are those of a feature that was
+    // drawn as an outline if they hold it on two sides or more; else `cut_on_one_fold`.
+    [[nodiscard]] Border border_of(int face) const {
+        std::vector<Segment> folds;
+        Segment longest{};
+        for (const int half : graph_.halves_of(face)) {
+            if ((graph_.edge(half).ink & (kCut | kCutOut)) == 0) return Border::open;
+            if (!is_fold(graph_.edge(half))) continue;
+            const Segment s = folds.emplace_back(graph_.segment(half));
+            if (distance(s.a, s.b) > distance(longest.a, longest.b)) longest = s;
+        }
+        const auto in_line = [&](const Segment& s) { return on_line(longest, s); };
+        const bool one_fold = !folds.empty() && std::all_of(folds.begin(), folds.end(), in_line);
+        return one_fold ? Border::cut_on_one_fold : Border::cut;
+    }
+
+    // A hole that ends at a fold: what lies beyond is not cut all around.
+    [[nodiscard]] static bool is_hole(Border border, Border beyond) {
+        return border == Border::cut_on_one_fold && beyond == Border::open;
+    }
+
     // Which faces folds join, and the fold halves of each face.
     void group_faces() {
         std::vector<int>& group = out_.group_of;
@@ -69,17 +92,37 @@ class FeatureFinder {
             while (nth(group, face) != face) face = nth(group, face) = nth(group, nth(group, face));
             return face;
         };
+        std::vector<Border> borders{Border::open};
+        for (int face = 1; face < graph_.faces(); ++face) borders.push_back(border_of(face));
+        std::set<int> holes;
         for (std::size_t i = 0; i < graph_.edges.size(); ++i) {
             const int half = static_cast<int>(2 * i);
             const int a = graph_.face_of(half);
             const int b = graph_.face_of(half ^ 1);
             // Whatever the border is drawn with, paper ends there.
             if (!is_fold(graph_.edges[i]) || a == b || a == 0 || b == 0) continue;
+            const bool a_is_hole = is_hole(nth(borders, a), nth(borders, b));
+            if (a_is_hole || is_hole(nth(borders, b), nth(borders, a))) {
+                holes.insert(a_is_hole ? a : b);
+                continue;
+            }
             nth(folds_, a).push_back(half);
             nth(folds_, b).push_back(half ^ 1);
             nth(group, std::max(root(a), root(b))) = std::min(root(a), root(b));
         }
         for (int face = 0; face < graph_.faces(); ++face) nth(group, face) = root(face);
+        for (const int hole : holes) tell_hole(hole);
+    }
+
+    void tell_hole(int face) {
+        const std::vector<int>& border = graph_.halves_of(face);
+        const auto named = [&](int half) { return (graph_.edge(half).ink & kCutOut) != 0; };
+        if (std::any_of(border.begin(), border.end(), named)) return;
+        // Where others are drawn on it as well, an edge has the element of the first of them.
+        const auto own =
+            std::find_if(border.begin(), border.end(), [&](int half) { return !graph_.edge(half).doubled; });
+        const int half = own == border.end() ? border.front() : *own;
+        out_.beside_folds.push_back({graph_.edge(half).element, {}, {}});
     }
 
     // Edges as straight folds, the longest first.

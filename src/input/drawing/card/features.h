@@ -3,7 +3,8 @@
 // Faces of the sheet become plates. The two halves of the page are the plates of the gutter. A feature on a
 // fold is what folds join to both of its plates, so that the four folds make a linkage (linkage.h); its own
 // three folds are folds to stand on, and so on to any depth. What is cut all around makes a feature where it
-// lies across a fold, and is a hole elsewhere.
+// lies across a fold, and is a hole elsewhere. So is what has one side on a fold: that fold joins nothing
+// there, unless all that it joins is drawn as closed cuts with folds on top.
 #pragma once
 
 #include <map>
@@ -33,6 +34,7 @@ struct NotUnderstood {
     int element = 0;
     std::string what;
     Vec2 at;
+    std::string hint = {};  // if there is one beside the usual
 };
 
 struct Features {
@@ -44,8 +46,9 @@ struct Features {
     // Outlines across folds without a fold in them: holes, as any that nothing holds. Groups, and each once.
     std::set<int> holes_over_folds;
     std::vector<NotUnderstood> over_folds;
-    std::map<int, NoLinkage> why;  // faces that make no feature, and why
-    std::set<int> refused;         // groups that are outlined and make none: told in `faults`
+    std::vector<NotUnderstood> beside_folds;  // closed cuts with a side on a fold: holes that end there
+    std::map<int, NoLinkage> why;             // faces that make no feature, and why
+    std::set<int> refused;                    // groups that are outlined and make none: told in `faults`
 };
 
 // Finds all but holes. Cost: near linear in edges for what people draw.

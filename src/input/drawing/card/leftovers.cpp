@@ -20,6 +20,10 @@ class LeftoverFinder {
             const Drive& drive = features.drives[i];
             drives_of_[std::minmax(drive.left, drive.right)].push_back(static_cast<int>(i));
         }
+        owner_.assign(static_cast<std::size_t>(graph.faces()), -1);
+        for (std::size_t i = 0; i < features.features.size(); ++i) {
+            for (const int face : features.features[i].faces) nth(owner_, face) = static_cast<int>(i);
+        }
     }
 
     Leftovers run() {
@@ -182,7 +186,7 @@ class LeftoverFinder {
     }
 
     // What stretches of lines do that are no part of anything.
-    enum class Idle { fold_in_paper, fold_of_nothing, cut };
+    enum class Idle { fold_in_paper, fold_of_nothing, cut, cut_in_feature };
 
     void look_at_lines() {
         for (std::size_t i = 0; i < graph_.edges.size(); ++i) {
@@ -190,10 +194,19 @@ class LeftoverFinder {
             if (is_rounding(number)) continue;
             if (is_fold(graph_.edges[i]))
                 look_at_fold(number);
-            else if (graph_.face_of(2 * number) == graph_.face_of(2 * number + 1))
-                add_idle(number, Idle::cut);
+            else
+                look_at_cut(number);
         }
         tell_idle();
+    }
+
+    void look_at_cut(int number) {
+        const int a = graph_.face_of(2 * number);
+        const int b = graph_.face_of(2 * number + 1);
+        if (a == b) return add_idle(number, Idle::cut);
+        if (plate_of(a) < 0 || plate_of(b) < 0) return;
+        // An element is what its border encloses: it has no other cut.
+        if (nth(owner_, a) == nth(owner_, b)) add_idle(number, Idle::cut_in_feature);
     }
 
     void look_at_fold(int number) {
@@ -243,6 +256,8 @@ class LeftoverFinder {
             // It does part the paper, as soon as the fold that nearly ends at another line does.
             if (key.second == Idle::fold_in_paper && line.gap > kNeighbourMm && torn_.contains(line.face))
                 continue;
+            // Where the same cut ends in the paper, a feature is not cut out that it was to bound.
+            if (key.second == Idle::cut_in_feature && idle_.contains({key.first, Idle::cut})) continue;
             std::string what;
             switch (key.second) {
                 case Idle::fold_in_paper:
@@ -255,10 +270,19 @@ class LeftoverFinder {
                     what = fmt::format("this cut ends in the paper, {:.2f} mm of it, and parts nothing",
                                        line.size);
                     break;
+                case Idle::cut_in_feature:
+                    what = fmt::format(
+                        "{:.2f} mm of this cut lie within {}, and no element of a card has such a cut",
+                        line.size, nth(owner_, line.face) < 0 ? "the page" : "one feature");
+                    break;
             }
             if (line.gap <= kNeighbourMm)
                 what += fmt::format(", and the nearest line is {:.2f} mm away", line.gap);
             out_.faults.push_back({line.element, std::move(what), line.at});
+            if (key.second == Idle::cut_in_feature)
+                out_.faults.back().hint =
+                    "a slit in a fold, or paper that reaches over one as a flap that stands up, is no part "
+                    "of an element; --as folded makes a model of such a sheet";
         }
     }
 
@@ -312,6 +336,7 @@ class LeftoverFinder {
     const SheetGraph& graph_;
     const Features& features_;
     std::map<std::pair<int, int>, std::vector<int>> drives_of_;
+    std::vector<int> owner_;                         // of each face its feature; -1: the page, or none
     std::vector<char> outside_;                      // faces
     std::set<int> used_;                             // folds
     std::map<std::pair<int, Idle>, IdleLine> idle_;  // by line

@@ -197,6 +197,32 @@ class PageFinder {
         return best;
     }
 
+    void tell_moved(const Rectangle& page, const Gutter& gutter, const CardPage& made) {
+        const auto shown = [&](Vec2 p) { return shown_point(tracing_.ruler, p); };
+        const double beside = distance(page.middle, made.centre);
+        if (beside > 0.5 * gutter.off) {
+            diagnostics_
+                .warning(
+                    "page-mended", place_of(made.element),
+                    fmt::format("the gutter lies {:.2f} mm beside the middle of the page; the border was "
+                                "moved by as much",
+                                gutter.off))
+                .hint("the halves of a card are equally wide")
+                .changed("a page about " + shown(page.middle), "a page about " + shown(made.centre));
+            return;
+        }
+        const Vec2 reach = 0.5 * made.height * made.up;
+        diagnostics_
+            .warning(
+                "page-mended", place_of(made.gutter_element),
+                fmt::format("the gutter leans: its ends lie up to {:.2f} mm beside the middle of the page, "
+                            "on either side; it was turned into the middle",
+                            gutter.off))
+            .hint("the halves of a card are equally wide")
+            .changed(shown(graph_.at(gutter.from.corner)) + " to " + shown(graph_.at(gutter.to.corner)),
+                     shown(made.centre - reach) + " to " + shown(made.centre + reach));
+    }
+
     std::optional<CardPage> find_gutter(const Rectangle& page) {
         // Up, or to the right and then turned upright.
         const auto way = [](Vec2 v) {
@@ -238,17 +264,7 @@ class PageFinder {
                 .hint("the halves of a card are equally wide: move the gutter, or the border");
             return std::nullopt;
         }
-        if (gutter->off > kSilentMm) {
-            diagnostics_
-                .warning(
-                    "page-mended", place_of(made.element),
-                    fmt::format("the gutter lies {:.2f} mm beside the middle of the page; the border was "
-                                "moved by as much",
-                                gutter->off))
-                .hint("the halves of a card are equally wide")
-                .changed(fmt::format("a page about {}", shown_point(tracing_.ruler, page.middle)),
-                         fmt::format("a page about {}", shown_point(tracing_.ruler, made.centre)));
-        }
+        if (gutter->off > kSilentMm) tell_moved(page, *gutter, made);
         // Looking up, the left face lies on the left of the half that runs up.
         made.left = graph_.face_of(gutter->from.half);
         made.right = graph_.face_of(gutter->from.half ^ 1);

@@ -24,10 +24,11 @@ class Teller {
     void tell(const Features& features, const Leftovers& left) {
         for (const std::vector<NotUnderstood>* faults : {&features.faults, &left.faults}) {
             for (const NotUnderstood& one : *faults) {
-                diagnostics_.error("not-understood", place(one), one.what + at(one))
-                    .hint(
-                        "mend the drawing there; what is no part of the card is left out with --lines "
-                        "ignore=NAME, of a layer, class, id or colour");
+                Diagnostic& told = diagnostics_.error("not-understood", place(one), one.what + at(one));
+                if (!one.hint.empty()) told.hint(one.hint);
+                told.hint(
+                    "mend the drawing there; what is no part of the card is left out with --lines "
+                    "ignore=NAME, of a layer, class, id or colour");
             }
         }
         for (const NotUnderstood& one : left.run_on) {
@@ -43,6 +44,12 @@ class Teller {
                 .remark("hole-over-fold", place(one),
                         "this outline lies across a fold and has no fold in it: it is a hole")
                 .hint("draw the fold on through it, or its own folds in it, if it is to pop up");
+        }
+        for (const NotUnderstood& one : features.beside_folds) {
+            diagnostics_
+                .remark("hole-beside-fold", place(one),
+                        "this closed cut has a side on a fold: it is a hole, and nothing folds along it")
+                .hint("leave that side out of the cut if the paper is to hang there");
         }
         for (const NotUnderstood& one : left.islands) {
             diagnostics_
