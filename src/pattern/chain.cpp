@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <numeric>
+#include <set>
 #include <tuple>
 #include <unordered_map>
 
@@ -327,6 +328,87 @@ std::vector<Contour> chained(const std::vector<TaggedSegment>& segments) {
         if (waiting(end)) follow(end);
     }
     put_in_order(contours);
+    return contours;
+}
+
+namespace {
+
+// Where merged segments have been joined although another of the first ones ends there: on each, by the way
+// along it.
+std::vector<std::vector<std::pair<double, Vec2>>> corners_on(const std::vector<TaggedSegment>& joined,
+                                                             const std::vector<TaggedSegment>& first) {
+    struct End {
+        double along;
+        Vec2 at;
+        bool in_line;
+    };
+    std::vector<std::vector<End>> ends(joined.size());
+    const EdgeIndex index(segments_of(joined));
+    std::vector<int> found;
+    for (const TaggedSegment& one : first) {
+        for (const Vec2 p : {one.at.a, one.at.b}) {
+            index.query(box_around({p, p}), found);
+            for (const int i : found) {
+                const Segment& line = joined[static_cast<std::size_t>(i)].at;
+                const double along = dot(unit(line.b - line.a), p - line.a);
+                if (along <= 2.0 * kSameLineMm || along >= distance(line.a, line.b) - 2.0 * kSameLineMm ||
+                    distance(p, line) > kSameLineMm)
+                    continue;
+                Span span{};
+                ends[static_cast<std::size_t>(i)].push_back({along, p, in_line(line, one.at, span)});
+            }
+        }
+    }
+    std::vector<std::vector<std::pair<double, Vec2>>> corners(joined.size());
+    for (std::size_t i = 0; i < joined.size(); ++i) {
+        std::vector<End>& on = ends[i];
+        std::sort(on.begin(), on.end(), [](const End& a, const End& b) { return a.along < b.along; });
+        for (std::size_t from = 0, to = 0; from < on.size(); from = to) {
+            bool own = false;
+            bool other = false;
+            for (; to < on.size() && on[to].along - on[from].along <= 2.0 * kSameLineMm; ++to)
+                (on[to].in_line ? own : other) = true;
+            if (own && other) corners[i].emplace_back(on[from].along, on[from].at);
+        }
+    }
+    return corners;
+}
+
+// Without the corners in a straight line that are among these.
+void drop_straight(Contour& contour, const std::set<std::pair<double, double>>& among) {
+    const std::vector<Vec2> points = std::move(contour.points);
+    const std::size_t n = points.size();
+    contour.points.clear();
+    for (std::size_t i = 0; i < n; ++i) {
+        const bool end = !contour.closed && (i == 0 || i + 1 == n);
+        const Vec2 before = points[(i + n - 1) % n];
+        const Vec2 after = points[(i + 1) % n];
+        const bool straight = !end && among.contains({points[i].x, points[i].y}) &&
+                              distance(points[i], Segment{before, after}) <= kSameLineMm;
+        if (!straight) contour.points.push_back(points[i]);
+    }
+}
+
+}  // namespace
+
+std::vector<Contour> cut_paths(std::vector<TaggedSegment> cuts) {
+    std::vector<TaggedSegment> joined = merged(cuts);
+    const auto corners = corners_on(joined, cuts);
+    if (std::all_of(corners.begin(), corners.end(), [](const auto& on) { return on.empty(); }))
+        return chained(joined);
+    std::vector<TaggedSegment> parts;
+    std::set<std::pair<double, double>> parted;
+    for (std::size_t i = 0; i < joined.size(); ++i) {
+        TaggedSegment rest = joined[i];
+        for (const auto& [along, at] : corners[i]) {
+            parts.push_back({{rest.at.a, at}, rest.tag});
+            rest.at.a = at;
+            parted.insert({at.x, at.y});
+        }
+        parts.push_back(rest);
+    }
+    std::vector<Contour> contours = chained(parts);
+    for (Contour& contour : contours) drop_straight(contour, parted);
     return contours;
 }
 

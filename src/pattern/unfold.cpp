@@ -263,7 +263,7 @@ class Unfolder {
         } else {
             work.cuts = without(std::move(work.cuts), work.glued);
             work.cuts.insert(work.cuts.end(), work.tab_cuts.begin(), work.tab_cuts.end());
-            piece.cuts = chained(merged(std::move(work.cuts)));
+            piece.cuts = cut_paths(std::move(work.cuts));
         }
         work.tab_seams = merged(std::move(work.tab_seams));
         std::vector<Segment> folded;

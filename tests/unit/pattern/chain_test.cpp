@@ -63,6 +63,11 @@ TEST(Chains, ChainsUseEveryStretchOfCutExactlyOnceHoweverItWasDoubled) {
             for (const Segment& s : edges(contour)) count_units(s, got);
         }
         EXPECT_EQ(got, wanted);
+        got.clear();
+        for (const Contour& contour : cut_paths(segments)) {
+            for (const Segment& s : edges(contour)) count_units(s, got);
+        }
+        EXPECT_EQ(got, wanted) << "as paths of cuts";
     }
 }
 
@@ -113,6 +118,49 @@ TEST(Chains, SquaresThatTouchStayContoursOfTheirOwn) {
         EXPECT_TRUE(contour.closed);
         EXPECT_DOUBLE_EQ(std::abs(signed_area(contour.points)), 100.0);
     }
+}
+
+TEST(CutPaths, AnOutlineIsClosedWhereASlitGoesStraightOnFromAnEdge) {
+    const Ring outline{{10, 10}, {50, 10}, {50, 20}, {90, 20}, {90, 70}, {10, 70}};
+    std::vector<TaggedSegment> cuts;
+    for (const Segment& s : edges(outline)) cuts.push_back({s, 0});
+    cuts.push_back({{{50, 20}, {50, 25}}, 0});
+    // A slit that ends square on an edge parts it into two, which are in line.
+    cuts.erase(cuts.begin());
+    cuts.push_back({{{10, 10}, {30, 10}}, 0});
+    cuts.push_back({{{30, 10}, {50, 10}}, 0});
+    cuts.push_back({{{30, 10}, {30, 15}}, 0});
+    const auto paths = cut_paths(cuts);
+    ASSERT_EQ(paths.size(), 3U);
+    int closed = 0;
+    for (const Contour& path : paths) {
+        if (!path.closed) {
+            EXPECT_EQ(path.points.size(), 2U);
+            continue;
+        }
+        ++closed;
+        EXPECT_DOUBLE_EQ(std::abs(signed_area(path.points)), std::abs(signed_area(outline)));
+        EXPECT_EQ(path.points.size(), outline.size()) << "no corners where it is straight";
+    }
+    EXPECT_EQ(closed, 1);
+}
+
+TEST(CutPaths, HolesThatTouchInACornerStayContoursOfTheirOwn) {
+    std::vector<TaggedSegment> cuts;
+    for (const Ring& ring :
+         {Ring{{30, 30}, {50, 30}, {50, 50}, {30, 50}}, Ring{{50, 50}, {60, 50}, {60, 60}, {50, 60}}}) {
+        for (const Segment& s : edges(ring)) cuts.push_back({s, 0});
+    }
+    const auto paths = cut_paths(cuts);
+    ASSERT_EQ(paths.size(), 2U);
+    std::vector<double> areas;
+    for (const Contour& path : paths) {
+        EXPECT_TRUE(path.closed);
+        areas.push_back(std::abs(signed_area(path.points)));
+    }
+    std::sort(areas.begin(), areas.end());
+    EXPECT_DOUBLE_EQ(areas[0], 100.0);
+    EXPECT_DOUBLE_EQ(areas[1], 400.0);
 }
 
 TEST(Chains, InnerContoursComeBeforeTheOnesAroundThem) {
