@@ -1,8 +1,6 @@
 // Which part of the unfolded sheet lies in which plane: the rules of webOAcard.
 //
-// The open card (90°) has the back at depth 0 and the floor at height 0. In each line across the gutter the
-// sheet goes down and forwards by turns, so a point x of it has depth - height = x. What stands at depth d
-// therefore has its points at the height d - x, what lies at height h at the depth x + h.
+// Depths, heights and the x and y of the sheet are those of input/origamic/folds.h.
 //
 //     const std::optional<Sheet> sheet = lay_out_sheet(*card, diagnostics);
 //     for (const Region& region : sheet->regions) ...

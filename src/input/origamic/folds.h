@@ -1,11 +1,28 @@
-// Where the regions of a sheet are folded to each other, and what hangs together.
+// An origamic architecture: a card of one sheet of which all that moves stays parallel to its back or to its
+// floor. Where the regions of the sheet are folded to each other, and what hangs together.
+//
+// The open card (90°) has the back at depth 0 and the floor at height 0. On the sheet x runs over the gutter
+// from back (x < 0) to floor, y along it. In each line across the gutter the sheet goes down and forwards by
+// turns, so a point x of it has depth - height = x. What stands at depth d therefore has its points at the
+// height d - x, what lies at height h at the depth x + h.
+//
+//     const std::vector<Fold> folds = folds_between(regions);
+//     const Holding held = holding(regions, folds);
 #pragma once
 
 #include <vector>
 
-#include "input/oa/sheet.h"
+#include "popup/geometry.h"
 
-namespace popup::oa {
+namespace popup::origamic {
+
+// A connected part of the sheet in one plane.
+struct Region {
+    bool upright = false;  // parallel to the back, else to the floor
+    double offset = 0.0;   // its depth, or its height; 0 of back and floor
+    Polygon area;
+    bool of_cover = false;  // a part of the back or of the floor
+};
 
 // A line along the gutter where two regions of the sheet meet in the card, too: what stands at depth d and
 // what lies at height h do so at x = d - h.
@@ -32,4 +49,4 @@ struct Holding {
 };
 Holding holding(const std::vector<Region>& regions, const std::vector<Fold>& folds);
 
-}  // namespace popup::oa
+}  // namespace popup::origamic

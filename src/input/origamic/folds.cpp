@@ -1,4 +1,4 @@
-#include "input/oa/folds.h"
+#include "input/origamic/folds.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 
 #include "base/geometry/tolerances.h"
 
-namespace popup::oa {
+namespace popup::origamic {
 namespace {
 
 // An edge along the gutter, and whose it is.
@@ -93,7 +93,7 @@ Holding holding(const std::vector<Region>& regions, const std::vector<Fold>& fol
         }
     }
     for (std::size_t i = 0; i < regions.size(); ++i) {
-        if (regions[i].face >= 0 || regions[i].top) continue;
+        if (!regions[i].of_cover) continue;
         int& cover = regions[i].upright ? result.back : result.floor;
         const auto weight = [&](std::size_t region) {
             return std::pair(gutter[region], area(regions[region].area));
@@ -117,4 +117,4 @@ Holding holding(const std::vector<Region>& regions, const std::vector<Fold>& fol
     return result;
 }
 
-}  // namespace popup::oa
+}  // namespace popup::origamic
