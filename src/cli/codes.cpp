@@ -67,6 +67,13 @@ constexpr std::array kCliCodes = std::to_array<CodeInfo>({
      "is that of a popup document, or none that --include asks for, or all of them are left out by "
      "--exclude, by a .popupcignore file, or because their names begin with a full stop. Nothing has been "
      "checked, which is seldom what was meant. Correct the path or the patterns."},
+    {"no-document", Severity::error, "a drawn card of which no document can be written",
+     "A document tells a card by its elements. This drawing is a card, but one whose flaps, figures or "
+     "stairs no "
+     "element has, so that it is folded as it is drawn (card-of-no-elements). Its sheets, models and checks "
+     "come "
+     "from the drawing; to have a document, change what no element has. popupc check --as card --deny "
+     "card-of-no-elements makes it an error elsewhere, too."},
     {"option-unused", Severity::remark, "an option that no output or input of the run uses",
      "An option on the command line works for some formats only (--dpi for .png, --at for .view.png), or for "
      "some inputs (--snap for folded sheets, --lines for drawings). This run has none of them, so the option "

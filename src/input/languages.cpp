@@ -46,9 +46,12 @@ Reading drawing_of(const Source& source, const ReadOptions& options, Diagnostics
         case DrawnAs::parts:
             reading.assembly = drawing::flat_assembly(std::move(*tracing), diagnostics);
             break;
-        case DrawnAs::card:
-            reading.design = drawing::card::read(*tracing, source, diagnostics);
+        case DrawnAs::card: {
+            drawing::card::CardReading card = drawing::card::read(*tracing, source, diagnostics);
+            reading.design = std::move(card.design);
+            reading.assembly = std::move(card.assembly);
             break;
+        }
         case DrawnAs::folded:
             reading.creases = drawing::folded::read(*tracing, source, diagnostics);
             if (!options.drawing.as) drawing::card::tell_card(*tracing, source, diagnostics);

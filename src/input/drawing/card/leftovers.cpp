@@ -281,8 +281,8 @@ class LeftoverFinder {
             out_.faults.push_back({line.element, std::move(what), line.at});
             if (key.second == Idle::cut_in_feature)
                 out_.faults.back().hint =
-                    "a slit in a fold, or paper that reaches over one as a flap that stands up, is no part "
-                    "of an element; --as folded makes a model of such a sheet";
+                    "a flap that stands up at a fold is read where all folds of the card run along the "
+                    "gutter, and none is drawn at the foot of the flap; --as folded makes a model of any sheet";
         }
     }
 

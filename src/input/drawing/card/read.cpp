@@ -5,10 +5,12 @@
 #include <utility>
 #include <vector>
 
+#include "base/geometry/mend_ends.h"
 #include "base/nth.h"
 #include "input/drawing/card/features.h"
 #include "input/drawing/card/leftovers.h"
 #include "input/drawing/card/lines.h"
+#include "input/drawing/card/origamic_card.h"
 #include "input/drawing/card/page.h"
 #include "input/drawing/card/to_design.h"
 
@@ -21,7 +23,8 @@ class Teller {
     Teller(const Tracing& tracing, const SheetGraph& graph, Diagnostics& diagnostics)
         : tracing_(tracing), graph_(graph), diagnostics_(diagnostics) {}
 
-    void tell(const Features& features, const Leftovers& left) {
+    // What elements are not found of, and what they change.
+    void tell_elements(const Features& features, const Leftovers& left) {
         for (const std::vector<NotUnderstood>* faults : {&features.faults, &left.faults}) {
             for (const NotUnderstood& one : *faults) {
                 Diagnostic& told = diagnostics_.error("not-understood", place(one), one.what + at(one));
@@ -39,6 +42,11 @@ class Teller {
                 .hint("end the fold at the cuts of the feature")
                 .changed("a fold through the feature", "a fold up to its cuts");
         }
+        tell_ways(left.as_drawn, left.other_way);
+    }
+
+    // What is no paper of the card.
+    void tell_rest(const Features& features, const Leftovers& left) {
         for (const NotUnderstood& one : features.over_folds) {
             diagnostics_
                 .remark("hole-over-fold", place(one),
@@ -65,23 +73,15 @@ class Teller {
                                      count == 1 ? " lies" : "s lie", count == 1 ? "is" : "are"))
                 .hint("a drawing is one card; its page is what surrounds most");
         }
-        tell_ways(left);
     }
 
- private:
-    [[nodiscard]] Place place(const NotUnderstood& one) const {
-        return nth(tracing_.elements, one.element).place;
-    }
-    [[nodiscard]] std::string at(const NotUnderstood& one) const {
-        return ", at " + shown_point(tracing_.ruler, one.at);
-    }
-
-    void tell_ways(const Leftovers& left) {
-        if (left.other_way.empty()) return;
-        const GraphEdge& first = nth(graph_.edges, left.other_way.front());
+    // Folds that are drawn as the kind that they are, and as the other: edges.
+    void tell_ways(const std::vector<int>& as_drawn, const std::vector<int>& other_way) {
+        if (other_way.empty()) return;
+        const GraphEdge& first = nth(graph_.edges, other_way.front());
         const Place where = nth(tracing_.elements, first.element).place;
-        const std::size_t wrong = left.other_way.size();
-        if (left.as_drawn.empty()) {
+        const std::size_t wrong = other_way.size();
+        if (as_drawn.empty()) {
             diagnostics_
                 .remark("folds-exchanged", where,
                         "all mountain folds are drawn as valleys and all valley folds as mountains; the card "
@@ -94,11 +94,39 @@ class Teller {
                      fmt::format(
                          "{} of {} stretches of folds {} drawn as the other kind than {} must be, the first "
                          "at {}",
-                         wrong, wrong + left.as_drawn.size(), wrong == 1 ? "is" : "are",
+                         wrong, wrong + as_drawn.size(), wrong == 1 ? "is" : "are",
                          wrong == 1 ? "it" : "they", shown_point(tracing_.ruler, graph_.at(first.a))))
             .hint(
                 "folds that hold a feature go the way of the fold it stands on, its middle fold the other "
                 "way");
+    }
+
+    void tell_origamic(const OrigamicCard& card) {
+        diagnostics_
+            .remark(
+                "card-of-no-elements", {},
+                fmt::format("this card is not made of elements; it is folded as it is drawn, {} plates that "
+                            "stay parallel to the two halves of the page",
+                            card.assembly.plates.size() - 2))
+            .hint("no document can be written of it: change the drawing to change the card");
+        if (card.off > kSilentMm) {
+            diagnostics_
+                .warning(
+                    "fold-straightened", nth(tracing_.elements, card.off_element).place,
+                    fmt::format("folds of this card are up to {:.2f} mm off those that fold flat; they were "
+                                "moved there",
+                                card.off))
+                .changed("folds as they are drawn", "folds at one distance from the gutter, each");
+        }
+        tell_ways(card.as_drawn, card.other_way);
+    }
+
+ private:
+    [[nodiscard]] Place place(const NotUnderstood& one) const {
+        return nth(tracing_.elements, one.element).place;
+    }
+    [[nodiscard]] std::string at(const NotUnderstood& one) const {
+        return ", at " + shown_point(tracing_.ruler, one.at);
     }
 
     const Tracing& tracing_;
@@ -108,27 +136,38 @@ class Teller {
 
 }  // namespace
 
-std::optional<Design> read(const Tracing& tracing, const Source& source, Diagnostics& diagnostics) {
+CardReading read(const Tracing& tracing, const Source& source, Diagnostics& diagnostics) {
+    CardReading made;
     CardLines drawn = card_lines(tracing, diagnostics);
     std::vector<Segment> moves;
     const auto graph = join_ends(tracing, drawn.lines, moves, diagnostics);
-    if (!graph) return std::nullopt;
+    if (!graph) return made;
     const auto page = find_page(tracing, *graph, diagnostics);
-    if (!page) return std::nullopt;
+    if (!page) return made;
     const Features features = find_features(*graph, *page);
     const Leftovers left = find_leftovers(*graph, features);
-    Teller(tracing, *graph, diagnostics).tell(features, left);
-    Design design = make_design(tracing, *graph, *page, features, left.holes, drawn.printed, std::move(moves),
-                                diagnostics);
-    if (diagnostics.has_errors_as_given()) return std::nullopt;
+    Teller(tracing, *graph, diagnostics).tell_rest(features, left);
+    const Diagnostics before = diagnostics;
+    Teller(tracing, *graph, diagnostics).tell_elements(features, left);
+    Design design =
+        make_design(tracing, *graph, *page, features, left.holes, drawn.printed, moves, diagnostics);
+    if (diagnostics.has_errors_as_given()) {
+        auto card = origamic_card(tracing, *graph, *page, features, drawn.printed, moves);
+        if (!card) return made;
+        diagnostics = before;
+        Teller(tracing, *graph, diagnostics).tell_origamic(*card);
+        made.assembly = std::move(card->assembly);
+        return made;
+    }
     design.file = source.name;
     design.stem = source.stem();
-    return design;
+    made.design = std::move(design);
+    return made;
 }
 
 void tell_card(const Tracing& tracing, const Source& source, Diagnostics& diagnostics) {
     Diagnostics unheard(source.name);
-    const std::optional<Design> design = read(tracing, source, unheard);
+    const std::optional<Design> design = read(tracing, source, unheard).design;
     if (!design || design->structures.empty() || unheard.has_findings()) return;
     const std::size_t count = design->structures.size();
     diagnostics

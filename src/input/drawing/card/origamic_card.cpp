@@ -1,0 +1,384 @@
+#include "input/drawing/card/origamic_card.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <tuple>
+#include <utility>
+
+#include "assembly/settle.h"
+#include "base/geometry/mend_ends.h"
+#include "base/geometry/regions.h"
+#include "base/geometry/tolerances.h"
+#include "base/nth.h"
+#include "input/origamic/folds.h"
+#include "input/origamic/make_assembly.h"
+
+namespace popup::drawing::card {
+namespace {
+
+using origamic::Fold;
+using origamic::Holding;
+using origamic::Region;
+
+// More are no drawing of a card, and take too long to look at.
+constexpr std::size_t kMostPlates = 500;
+constexpr double kOpensDeg = 180.0;
+
+double rounded(double mm) { return on_grid({mm, 0.0}).x; }
+
+class CardMaker {
+ public:
+    CardMaker(const Tracing& tracing, const SheetGraph& graph, const CardPage& page, const Features& features)
+        : tracing_(tracing), graph_(graph), page_(page), features_(features) {}
+
+    std::optional<OrigamicCard> run(const std::vector<const TracedLine*>& printed,
+                                    const std::vector<Segment>& moves) {
+        // What is cut all around has folds that are not drawn.
+        const bool outlined = std::any_of(features_.features.begin(), features_.features.end(),
+                                          [](const DrawnFeature& feature) { return feature.outlined; });
+        if (outlined || !features_.refused.empty()) return std::nullopt;
+        corners_.reserve(graph_.corners.size());
+        for (const Vec2 corner : graph_.corners) corners_.push_back(on_grid(page_.to_page(corner)));
+        if (!find_planes() || !put_on_lines()) return std::nullopt;
+        add_regions();
+        add_folds();
+        const Holding held = origamic::holding(regions_, folds_);
+        if (held.back < 0 || held.floor < 0 || !moves_one_way(held)) return std::nullopt;
+        out_.assembly =
+            origamic::make_assembly({rounded(page_.height), 0.5 * rounded(page_.width), kOpensDeg}, regions_,
+                                    folds_, held, names(held));
+        out_.assembly.curves = curves(moves);
+        add_prints(printed);
+        settle_numbers(out_.assembly);
+        return std::move(out_);
+    }
+
+ private:
+    struct Plane {
+        bool known = false;
+        bool upright = false;
+        double offset = 0.0;
+    };
+
+    // Whether paper is folded there: not so beside a hole, nor where the paper ends.
+    [[nodiscard]] bool folds(int half) const {
+        const int a = graph_.face_of(half);
+        const int b = graph_.face_of(half ^ 1);
+        return is_fold(graph_.edge(half)) && a != 0 && b != 0 && a != b &&
+               nth(features_.group_of, a) == nth(features_.group_of, b);
+    }
+    [[nodiscard]] Vec2 at(int corner) const { return nth(corners_, corner); }
+    [[nodiscard]] Segment segment(int half) const { return {at(graph_.from(half)), at(graph_.to(half))}; }
+
+    // From fold to fold, beginning with the two halves of the page: what lies beyond a fold of what stands,
+    // lies, and what lies beyond one of what lies, stands.
+    bool find_planes() {
+        planes_.resize(static_cast<std::size_t>(graph_.faces()));
+        nth(planes_, page_.left) = {true, true, 0.0};
+        nth(planes_, page_.right) = {true, false, 0.0};
+        order_ = {page_.left, page_.right};
+        for (std::size_t i = 0; i < order_.size(); ++i) {
+            const Plane here = nth(planes_, order_[i]);
+            for (const int half : graph_.halves_of(order_[i])) {
+                if (graph_.face_of(half ^ 1) == order_[i]) return false;  // it ends in the paper
+                if (!folds(half)) continue;
+                const Segment line = segment(half);
+                if (std::abs(line.a.x - line.b.x) > kSnapMm) return false;
+                const double x = 0.5 * (line.a.x + line.b.x);
+                const Plane beyond{true, !here.upright, here.upright ? here.offset - x : x + here.offset};
+                Plane& there = nth(planes_, graph_.face_of(half ^ 1));
+                if (!there.known) {
+                    there = {true, beyond.upright, rounded(beyond.offset)};
+                    order_.push_back(graph_.face_of(half ^ 1));
+                    if (order_.size() > kMostPlates) return false;
+                } else if (there.upright != beyond.upright ||
+                           std::abs(there.offset - beyond.offset) > kSnapMm) {
+                    return false;
+                }
+            }
+        }
+        return true;
+    }
+
+    [[nodiscard]] double line_of(const Plane& a, const Plane& b) const {
+        return rounded(a.upright ? a.offset - b.offset : b.offset - a.offset);
+    }
+
+    // Moves the ends of folds to the lines where their planes meet, and the border to that of the page.
+    bool put_on_lines() {
+        std::map<int, double> to;  // x, by corner
+        for (std::size_t i = 0; i < graph_.edges.size(); ++i) {
+            const int half = static_cast<int>(2 * i);
+            if (!folds(half) || !nth(planes_, graph_.face_of(half)).known) continue;
+            const double x =
+                line_of(nth(planes_, graph_.face_of(half)), nth(planes_, graph_.face_of(half ^ 1)));
+            for (const int corner : {graph_.from(half), graph_.to(half)}) {
+                const auto [known, fresh] = to.try_emplace(corner, x);
+                if (!fresh && std::abs(known->second - x) > kGridMm) return false;
+                const double off = std::abs(at(corner).x - x);
+                if (off > kSnapMm) return false;
+                if (off > out_.off) {
+                    out_.off = off;
+                    out_.off_element = graph_.edges[i].element;
+                }
+            }
+        }
+        const Vec2 reach{0.5 * rounded(page_.width), 0.5 * rounded(page_.height)};
+        const auto onto = [](double& v, double border) {
+            if (std::abs(std::abs(v) - border) <= kSnapMm) v = std::copysign(border, v);
+        };
+        for (std::size_t i = 0; i < corners_.size(); ++i) {
+            Vec2 moved = corners_[i];
+            const auto& around = graph_.around(static_cast<int>(i));
+            const bool border = std::any_of(around.begin(), around.end(),
+                                            [&](int half) { return graph_.face_of(half) == 0; });
+            if (border) {
+                onto(moved.x, reach.x);
+                onto(moved.y, reach.y);
+            }
+            if (const auto found = to.find(static_cast<int>(i)); found != to.end()) moved.x = found->second;
+            if (moved == corners_[i]) continue;
+            snaps_.push_back({corners_[i], moved});
+            corners_[i] = moved;
+        }
+        return true;
+    }
+
+    // The loops of a face's border, the outer one first.
+    [[nodiscard]] Polygon area_of(int face) const {
+        Polygon made;
+        std::map<int, bool> seen;
+        for (const int first : graph_.halves_of(face)) {
+            if (seen[first]) continue;
+            Ring ring;
+            for (int half = first; !seen[half]; half = graph_.next(half)) {
+                seen[half] = true;
+                ring.push_back(at(graph_.from(half)));
+            }
+            if (signed_area(ring) > 0.0)
+                made.outer = std::move(ring);
+            else
+                made.holes.push_back(std::move(ring));
+        }
+        return made;
+    }
+
+    void add_regions() {
+        region_of_.assign(static_cast<std::size_t>(graph_.faces()), -1);
+        for (const int face : order_) {
+            nth(region_of_, face) = static_cast<int>(regions_.size());
+            const Plane& plane = nth(planes_, face);
+            const bool of_cover = face == page_.left || face == page_.right;
+            regions_.push_back({plane.upright, plane.offset, area_of(face), of_cover});
+        }
+    }
+
+    // Those that follow each other are one.
+    void add_folds() {
+        std::vector<std::pair<Fold, int>> all;  // and the edge
+        for (std::size_t i = 0; i < graph_.edges.size(); ++i) {
+            int half = static_cast<int>(2 * i);
+            if (!folds(half) || nth(region_of_, graph_.face_of(half)) < 0) continue;
+            // With what is above, at smaller x, on the left of it.
+            if (segment(half).a.y > segment(half).b.y) half ^= 1;
+            const Segment line = segment(half);
+            if (!(line.b.y > line.a.y)) continue;
+            const int above = nth(region_of_, graph_.face_of(half));
+            const int below = nth(region_of_, graph_.face_of(half ^ 1));
+            const Fold fold{above, below, line.a.x, line.a.y, line.b.y, nth(regions_, above).upright};
+            note_way(static_cast<int>(i), fold);
+            all.emplace_back(fold, static_cast<int>(i));
+        }
+        std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) {
+            return std::tie(a.first.x, a.first.above, a.first.below, a.first.y0) <
+                   std::tie(b.first.x, b.first.above, b.first.below, b.first.y0);
+        });
+        for (const auto& [fold, edge] : all) {
+            Fold* last = folds_.empty() ? nullptr : &folds_.back();
+            if (last != nullptr && last->above == fold.above && last->below == fold.below &&
+                last->x == fold.x && last->y1 == fold.y0)
+                last->y1 = fold.y1;
+            else
+                folds_.push_back(fold);
+        }
+        std::stable_sort(folds_.begin(), folds_.end(), [](const Fold& a, const Fold& b) {
+            return std::tie(a.x, a.y0) < std::tie(b.x, b.y0);
+        });
+    }
+
+    void note_way(int edge, const Fold& fold) {
+        const unsigned ink = nth(graph_.edges, edge).ink & (kMountain | kValley);
+        if (ink == 0 || fold.y1 - fold.y0 <= kSnapMm) return;
+        ((ink & (fold.valley ? kValley : kMountain)) != 0 ? out_.as_drawn : out_.other_way).push_back(edge);
+    }
+
+    // Whether nothing but the parallel motion is left to the plates when the card opens. Seen along the
+    // gutter, each turns in its plane about the points where it is folded. The speeds of turning, with the
+    // back held, are found from the loops of folds at 90°, where no two of these points lie on one another
+    // unless they are on one line of the sheet: all but that of the floor must follow.
+    [[nodiscard]] bool moves_one_way(const Holding& held) const {
+        const std::size_t plates = held.order.size();
+        std::vector<int> number(regions_.size(), -1);
+        for (std::size_t i = 0; i < plates; ++i) nth(number, held.order[i].region) = static_cast<int>(i);
+        const auto place = [&](const Fold& fold) {
+            const Region& above = nth(regions_, fold.above);
+            const Region& below = nth(regions_, fold.below);
+            const Region& upright = above.upright ? above : below;
+            const Region& lying = above.upright ? below : above;
+            return Vec2{upright.offset, lying.offset};
+        };
+        // The speed of a plate at the origin is a sum over the speeds of turning on its way from the back.
+        struct Speed {
+            std::map<int, Vec2> of;
+        };
+        std::vector<Speed> speed(plates);
+        std::vector<char> is_tree(folds_.size(), 0);
+        const auto add = [](Speed& to, int plate, Vec2 by) { to.of[plate] = to.of[plate] + by; };
+        // v(p) = v(0) + w left_of(p). Two plates have one speed where they are folded.
+        const auto follow = [&](std::size_t plate, int base, Vec2 p) {
+            speed[plate] = nth(speed, base);
+            add(speed[plate], base, left_of(p));
+            add(speed[plate], static_cast<int>(plate), -left_of(p));
+        };
+        const auto gutter = std::find_if(folds_.begin(), folds_.end(), [&](const Fold& fold) {
+            return fold.above == held.back && fold.below == held.floor;
+        });
+        if (gutter == folds_.end()) return false;
+        is_tree[static_cast<std::size_t>(gutter - folds_.begin())] = 1;
+        for (std::size_t i = 0; i < plates; ++i) {
+            const Holding::Step& step = held.order[i];
+            if (step.fold < 0) {
+                if (step.region == held.floor) follow(i, nth(number, held.back), place(*gutter));
+                continue;
+            }
+            const Fold& fold = nth(folds_, step.fold);
+            nth(is_tree, step.fold) = 1;
+            follow(i, nth(number, fold.above == step.region ? fold.below : fold.above), place(fold));
+        }
+        std::vector<std::map<int, Vec2>> rows;
+        for (std::size_t i = 0; i < folds_.size(); ++i) {
+            const Fold& fold = folds_[i];
+            if (is_tree[i] != 0) continue;
+            const Vec2 p = place(fold);
+            Speed row = nth(speed, nth(number, fold.above));
+            add(row, nth(number, fold.above), left_of(p));
+            for (const auto& [plate, by] : nth(speed, nth(number, fold.below)).of) add(row, plate, -by);
+            add(row, nth(number, fold.below), -left_of(p));
+            rows.push_back(std::move(row.of));
+        }
+        // All but the back may turn, and the floor does: two less than there are must be held.
+        const Eigen::Index free = static_cast<Eigen::Index>(plates) - 2;
+        if (free == 0) return true;
+        Eigen::MatrixXd loops = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(2 * rows.size()), free);
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            for (const auto& [plate, by] : rows[i]) {
+                if (plate < 2) continue;  // the covers come first
+                loops(static_cast<Eigen::Index>(2 * i), plate - 2) = by.x / page_.width;
+                loops(static_cast<Eigen::Index>(2 * i + 1), plate - 2) = by.y / page_.width;
+            }
+        }
+        if (loops.rows() < free) return false;
+        Eigen::ColPivHouseholderQR<Eigen::MatrixXd> solver(loops);
+        solver.setThreshold(1e-6);
+        return solver.rank() == free;
+    }
+
+    [[nodiscard]] std::vector<origamic::Named> names(const Holding& held) const {
+        std::vector<origamic::Named> made(regions_.size());
+        int count = 0;
+        for (const Holding::Step& step : held.order) {
+            origamic::Named& named = nth(made, step.region);
+            if (step.fold < 0) {
+                named.plate = step.region == held.back ? "page/left" : "page/right";
+                continue;
+            }
+            named.plate = named.joint = fmt::format("plate-{}", ++count);
+            named.place = nth(tracing_.elements, element_of(nth(order_, step.region))).place;
+        }
+        return made;
+    }
+
+    // That drew its border: of several the last, for what is drawn later stands on what is drawn before.
+    [[nodiscard]] int element_of(int face) const {
+        int last = 0;
+        for (const int half : graph_.halves_of(face)) last = std::max(last, graph_.edge(half).element);
+        return last;
+    }
+
+    [[nodiscard]] CurveTable curves(const std::vector<Segment>& moves) const {
+        CurveTable drawn = tracing_.curves;
+        drawn.move(graph_.merged);
+        drawn.move(moves);
+        std::vector<FlatCurve> on_page = drawn.curves();
+        for (FlatCurve& curve : on_page) {
+            for (Vec2* p :
+                 {&curve.cubic.from, &curve.cubic.control_1, &curve.cubic.control_2, &curve.cubic.to})
+                *p = on_grid(page_.to_page(*p));
+            for (FlatCurve::Corner& corner : curve.corners) corner.at = on_grid(page_.to_page(corner.at));
+        }
+        CurveTable made(on_page);
+        made.move(snaps_);
+        return made;
+    }
+
+    [[nodiscard]] Ring on_page(Ring ring) const {
+        for (Vec2& p : ring) p = on_grid(page_.to_page(p));
+        return ring;
+    }
+
+    // What is printed, on the plates that it lies on.
+    void add_prints(const std::vector<const TracedLine*>& printed) {
+        constexpr Color kPaper{255, 255, 255};
+        for (const TracedFill& fill : tracing_.fills) {
+            if (fill.color == kPaper || fill.owner > 0) continue;
+            std::vector<Polygon> shape;
+            for (const Polygon& part :
+                 filled(fill.rings, fill.even_odd ? FillRule::even_odd : FillRule::non_zero)) {
+                Polygon& made = shape.emplace_back(Polygon{on_page(part.outer), {}});
+                for (const Ring& hole : part.holes) made.holes.push_back(on_page(hole));
+            }
+            for (Plate& plate : out_.assembly.plates) {
+                for (Polygon& part : intersect(shape, {plate.outline}))
+                    plate.prints.emplace_back(std::in_place_type<Area>, std::move(part), fill.color);
+            }
+        }
+        for (const TracedLine* line : printed) {
+            std::vector<Vec2> points = on_page(line->points);
+            if (line->closed) points.push_back(points.front());
+            for (Plate& plate : out_.assembly.plates) {
+                for (std::vector<Vec2>& part : clip_line(points, plate.outline))
+                    plate.prints.emplace_back(std::in_place_type<Stroke>, std::move(part), line->width_mm,
+                                              line->color);
+            }
+        }
+    }
+
+    const Tracing& tracing_;
+    const SheetGraph& graph_;
+    const CardPage& page_;
+    const Features& features_;
+    std::vector<Vec2> corners_;   // on the page
+    std::vector<Segment> snaps_;  // of them, on the page
+    std::vector<Plane> planes_;   // by face
+    std::vector<int> order_;      // faces that folds lead to: the regions
+    std::vector<int> region_of_;  // by face; -1: none
+    std::vector<Region> regions_;
+    std::vector<Fold> folds_;
+    OrigamicCard out_;
+};
+
+}  // namespace
+
+std::optional<OrigamicCard> origamic_card(const Tracing& tracing, const SheetGraph& graph,
+                                          const CardPage& page, const Features& features,
+                                          const std::vector<const TracedLine*>& printed,
+                                          const std::vector<Segment>& moves) {
+    return CardMaker(tracing, graph, page, features).run(printed, moves);
+}
+
+}  // namespace popup::drawing::card
