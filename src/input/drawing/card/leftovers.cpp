@@ -282,7 +282,8 @@ class LeftoverFinder {
             if (key.second == Idle::cut_in_feature)
                 out_.faults.back().hint =
                     "a flap that stands up at a fold is read where all folds of the card run along the "
-                    "gutter, and none is drawn at the foot of the flap; --as folded makes a model of any sheet";
+                    "gutter, and none is drawn at the foot of the flap; --as folded makes a model of any "
+                    "sheet";
         }
     }
 
