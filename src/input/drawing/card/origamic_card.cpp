@@ -27,7 +27,9 @@ using origamic::Region;
 
 // More are no drawing of a card, and take too long to look at.
 constexpr std::size_t kMostPlates = 500;
-constexpr double kOpensDeg = 180.0;
+constexpr double kOpenCardDeg = 180.0;
+// Areas that differ by less are one.
+constexpr double kSpeckMm2 = 1e-3;
 
 double rounded(double mm) { return on_grid({mm, 0.0}).x; }
 
@@ -45,13 +47,13 @@ class CardMaker {
         corners_.reserve(graph_.corners.size());
         for (const Vec2 corner : graph_.corners) corners_.push_back(on_grid(page_.to_page(corner)));
         if (!find_planes() || !put_on_lines()) return std::nullopt;
-        add_regions();
+        if (!add_regions()) return std::nullopt;
         add_folds();
         const Holding held = origamic::holding(regions_, folds_);
         if (held.back < 0 || held.floor < 0 || !moves_one_way(held)) return std::nullopt;
         out_.assembly =
-            origamic::make_assembly({rounded(page_.height), 0.5 * rounded(page_.width), kOpensDeg}, regions_,
-                                    folds_, held, names(held));
+            origamic::make_assembly({rounded(page_.height), 0.5 * rounded(page_.width), kOpenCardDeg},
+                                    regions_, folds_, held, names(held));
         out_.assembly.curves = curves(moves);
         add_prints(printed);
         settle_numbers(out_.assembly);
@@ -85,7 +87,11 @@ class CardMaker {
         for (std::size_t i = 0; i < order_.size(); ++i) {
             const Plane here = nth(planes_, order_[i]);
             for (const int half : graph_.halves_of(order_[i])) {
-                if (graph_.face_of(half ^ 1) == order_[i]) return false;  // it ends in the paper
+                // It ends in the paper; what is no longer than this is rounding.
+                if (graph_.face_of(half ^ 1) == order_[i]) {
+                    const Segment line = segment(half);
+                    if (distance(line.a, line.b) > kSilentMm) return false;
+                }
                 if (!folds(half)) continue;
                 const Segment line = segment(half);
                 if (std::abs(line.a.x - line.b.x) > kSnapMm) return false;
@@ -149,7 +155,7 @@ class CardMaker {
         return true;
     }
 
-    // The loops of a face's border, the outer one first.
+    // The loops of a face's border, without what ends in it.
     [[nodiscard]] Polygon area_of(int face) const {
         Polygon made;
         std::map<int, bool> seen;
@@ -158,8 +164,9 @@ class CardMaker {
             Ring ring;
             for (int half = first; !seen[half]; half = graph_.next(half)) {
                 seen[half] = true;
-                ring.push_back(at(graph_.from(half)));
+                if (graph_.face_of(half ^ 1) != face) ring.push_back(at(graph_.from(half)));
             }
+            if (ring.size() < 3) continue;
             if (signed_area(ring) > 0.0)
                 made.outer = std::move(ring);
             else
@@ -168,14 +175,20 @@ class CardMaker {
         return made;
     }
 
-    void add_regions() {
+    // False if the border of one crosses itself: corners were moved over others.
+    bool add_regions() {
         region_of_.assign(static_cast<std::size_t>(graph_.faces()), -1);
         for (const int face : order_) {
             nth(region_of_, face) = static_cast<int>(regions_.size());
             const Plane& plane = nth(planes_, face);
             const bool of_cover = face == page_.left || face == page_.right;
-            regions_.push_back({plane.upright, plane.offset, area_of(face), of_cover});
+            Polygon made = area_of(face);
+            std::vector<Ring> rings = made.holes;
+            rings.push_back(made.outer);
+            if (std::abs(area(filled(rings, FillRule::even_odd)) - area(made)) > kSpeckMm2) return false;
+            regions_.push_back({plane.upright, plane.offset, std::move(made), of_cover});
         }
+        return true;
     }
 
     // Those that follow each other are one.
