@@ -216,19 +216,24 @@ class GraphMaker {
         graph_.halves_.emplace_back();
         std::vector<int> inward;  // a half of each border that has its face on the outside
         std::vector<int> loop;
-        std::vector<char> seen(graph_.next_.size(), 0);
+        std::vector<int> seen(graph_.next_.size(), 0);  // in which walk
+        int walk = 0;
         for (std::size_t first = 0; first < graph_.next_.size(); ++first) {
             if (seen[first] != 0) continue;
+            ++walk;
             loop.clear();
             double twice_area = 0.0;
             const Vec2 origin = graph_.at(graph_.from(static_cast<int>(first)));
             for (int half = static_cast<int>(first); nth(seen, half) == 0; half = graph_.next(half)) {
-                nth(seen, half) = 1;
+                nth(seen, half) = walk;
                 loop.push_back(half);
                 twice_area +=
                     cross(graph_.at(graph_.from(half)) - origin, graph_.at(graph_.to(half)) - origin);
             }
-            if (twice_area <= 0.0) {
+            // There and back along open lines: what this encloses is rounding, and may be more than nothing.
+            const bool open =
+                std::all_of(loop.begin(), loop.end(), [&](int half) { return nth(seen, half ^ 1) == walk; });
+            if (open || twice_area <= 0.0) {
                 inward.push_back(loop.front());
                 continue;
             }
