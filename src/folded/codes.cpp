@@ -45,12 +45,12 @@ constexpr std::array kFoldedCodes = std::to_array<CodeInfo>({
      "else. Nothing can be folded there without bending the paper, so the stretch is left out. Draw it on, "
      "or "
      "take it out of the drawing. Ends that miss by up to half a millimetre are joined by themselves."},
-    {"falls-out", Severity::warning, "a part with folds that lies in a hole",
-     "The part is cut out on all sides of the sheet around it, and so it falls out when the sheet is cut. "
-     "Its "
-     "folds hold it to nothing but itself. It is neither cut nor folded here. If it is meant to be a piece "
-     "of "
-     "its own, draw it beside the sheet; if it belongs to the sheet, one of its cuts should be a fold."},
+    {"falls-out", Severity::warning, "something that lies in a hole of a folded sheet",
+     "It is cut out on all sides of the sheet around it, and so it falls out when the sheet is cut. If it "
+     "has "
+     "folds, they hold it to nothing but itself. It is neither cut nor folded here. If it is meant to be a "
+     "piece of its own, draw it beside the sheet; if it belongs to the sheet, one of its cuts should be a "
+     "fold, or a bridge of paper should lead to it."},
     {"flat-angles", Severity::warning, "a corner whose angles do not let it fold flat",
      "Around an inner corner that is folded flat the paper goes to and fro, and must come back to where it "
      "began: "

@@ -16,6 +16,7 @@
 #include "folded/carton/glue_corners.h"
 #include "folded/carton/web_corners.h"
 #include "folded/folds_on_cuts.h"
+#include "folded/in_holes.h"
 #include "folded/loops.h"
 
 namespace popup::folded {
@@ -307,7 +308,8 @@ class Maker {
         for (int face = 1; face < graph_.faces(); ++face) {
             const int of = part(face);
             if (nth(level, of) != 1 || nth(sliver_, face) != 0) {
-                if (nth(level, of) != 1 && nth(any_fold, of) != 0 && of == face) tell_falling(face);
+                if (nth(level, of) != 1 && nth(any_fold, of) != 0 && of == face)
+                    tell_part_in_hole(graph_, face, pattern_, diagnostics_);
                 continue;
             }
             nth(halves_.panel_of, face) = panels_++;
@@ -315,6 +317,9 @@ class Maker {
             nth(piece_of_, face) = at->second;
         }
         pieces_ = static_cast<int>(piece_of_part.size());
+        std::vector<int> level_of(faces, 0);
+        for (int face = 1; face < graph_.faces(); ++face) nth(level_of, face) = nth(level, part(face));
+        tell_cuts_in_holes(graph_, level_of, pattern_, diagnostics_);
     }
 
     void find_slivers() {
@@ -331,15 +336,6 @@ class Maker {
             twice += cross(at.a - origin, at.b - origin);
         }
         return twice <= 2.0 * kSliverMm2;
-    }
-
-    void tell_falling(int face) {
-        const int half = graph_.halves_of(face).front();
-        diagnostics_
-            .warning("falls-out", place_of(graph_.edge(half).element),
-                     "this part lies in a hole of another and falls out with it, at " +
-                         shown(graph_.at(graph_.from(half))) + "; it is not folded")
-            .hint("join it to the paper around it with a fold, or take its folds out");
     }
 
     // The rings of a face, without what is gone along there and back.
