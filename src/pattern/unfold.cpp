@@ -294,8 +294,26 @@ class Unfolder {
             piece.cuts.push_back({paper.outer, true});
             for (const Ring& hole : paper.holes) piece.cuts.push_back({hole, true});
         }
-        for (const std::vector<Vec2>& slit : from.slits) piece.cuts.push_back({slit, false});
+        for (Contour& slit : slits_once(from.slits)) piece.cuts.push_back(std::move(slit));
         put_in_order(piece.cuts);
+    }
+
+    // Slits as they are drawn; where some lie on one another, in paths that have every part of them once.
+    static std::vector<Contour> slits_once(const std::vector<std::vector<Vec2>>& slits) {
+        std::vector<Contour> drawn;
+        std::vector<TaggedSegment> segments;
+        for (const std::vector<Vec2>& slit : slits) {
+            drawn.push_back({slit, false});
+            for (std::size_t i = 0; i + 1 < slit.size(); ++i) segments.push_back({{slit[i], slit[i + 1]}, 0});
+        }
+        const auto length_of = [](const std::vector<TaggedSegment>& all) {
+            double sum = 0.0;
+            for (const TaggedSegment& one : all) sum += distance(one.at.a, one.at.b);
+            return sum;
+        };
+        constexpr double kTwiceMm = 0.01;
+        if (length_of(segments) - length_of(merged(segments)) < kTwiceMm) return drawn;
+        return cut_paths(std::move(segments));
     }
 
     // Lines across a picture, so near each other that no label stands between two.
