@@ -191,11 +191,10 @@ class LeftoverFinder {
     void look_at_lines() {
         for (std::size_t i = 0; i < graph_.edges.size(); ++i) {
             const int number = static_cast<int>(i);
-            if (is_rounding(number)) continue;
-            if (is_fold(graph_.edges[i]))
-                look_at_fold(number);
-            else
+            if (!is_fold(graph_.edges[i]))
                 look_at_cut(number);
+            else if (!is_rounding(number))
+                look_at_fold(number);
         }
         tell_idle();
     }
@@ -204,7 +203,7 @@ class LeftoverFinder {
         const int a = graph_.face_of(2 * number);
         const int b = graph_.face_of(2 * number + 1);
         if (a == b) return add_idle(number, Idle::cut);
-        if (plate_of(a) < 0 || plate_of(b) < 0) return;
+        if (plate_of(a) < 0 || plate_of(b) < 0 || is_rounding(number)) return;
         // An element is what its border encloses: it has no other cut.
         if (nth(owner_, a) == nth(owner_, b)) add_idle(number, Idle::cut_in_feature);
     }
@@ -253,6 +252,8 @@ class LeftoverFinder {
 
     void tell_idle() {
         for (const auto& [key, line] : idle_) {
+            // The ends of a line may both be rounded.
+            if (line.size <= 2.0 * kSilentMm) continue;
             // It does part the paper, as soon as the fold that nearly ends at another line does.
             if (key.second == Idle::fold_in_paper && line.gap > kNeighbourMm && torn_.contains(line.face))
                 continue;
@@ -282,8 +283,10 @@ class LeftoverFinder {
             if (key.second == Idle::cut_in_feature)
                 out_.faults.back().hint =
                     "a flap that stands up at a fold is read where all folds of the card run along the "
-                    "gutter, and none is drawn at the foot of the flap; --as folded makes a model of any "
-                    "sheet";
+                    "gutter, "
+                    "each plate is held by two of them, and nothing is cut all around across a fold; --as "
+                    "folded "
+                    "makes a model of any sheet";
         }
     }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 #include <map>
+#include <set>
 #include <tuple>
 #include <utility>
 
@@ -15,6 +16,7 @@
 #include "base/geometry/regions.h"
 #include "base/geometry/tolerances.h"
 #include "base/nth.h"
+#include "input/design_limits.h"
 #include "input/origamic/folds.h"
 #include "input/origamic/make_assembly.h"
 
@@ -46,11 +48,12 @@ class CardMaker {
         if (outlined || !features_.refused.empty()) return std::nullopt;
         corners_.reserve(graph_.corners.size());
         for (const Vec2 corner : graph_.corners) corners_.push_back(on_grid(page_.to_page(corner)));
-        if (!find_planes() || !put_on_lines()) return std::nullopt;
+        if (!has_room() || !find_planes() || !is_all_paper() || !put_on_lines()) return std::nullopt;
         if (!add_regions()) return std::nullopt;
         add_folds();
         const Holding held = origamic::holding(regions_, folds_);
-        if (held.back < 0 || held.floor < 0 || !moves_one_way(held)) return std::nullopt;
+        if (held.back < 0 || held.floor < 0 || held.order.size() != regions_.size() || !moves_one_way(held))
+            return std::nullopt;
         out_.assembly =
             origamic::make_assembly({rounded(page_.height), 0.5 * rounded(page_.width), kOpenCardDeg},
                                     regions_, folds_, held, names(held));
@@ -77,6 +80,44 @@ class CardMaker {
     [[nodiscard]] Vec2 at(int corner) const { return nth(corners_, corner); }
     [[nodiscard]] Segment segment(int half) const { return {at(graph_.from(half)), at(graph_.to(half))}; }
 
+    [[nodiscard]] bool has_room() const {
+        const auto fits = [](double mm) { return mm >= kSmallestPage && mm <= kLargestPage; };
+        return fits(page_.width) && fits(page_.height);
+    }
+
+    [[nodiscard]] static bool runs_along_gutter(const Segment& line) {
+        constexpr double kLean = 0.2;
+        const double aside = std::abs(line.a.x - line.b.x);
+        if (distance(line.a, line.b) <= kSilentMm) return true;
+        return aside <= kSnapMm && aside <= kLean * std::abs(line.a.y - line.b.y);
+    }
+
+    // Whether no line is lost: none ends in the paper or in a hole, no fold lies in a hole, and no hole opens
+    // to the border of the page.
+    [[nodiscard]] bool is_all_paper() const {
+        std::map<int, double> ends;  // how much of a line lies in one face
+        const Vec2 reach{0.5 * page_.width - kSnapMm, 0.5 * page_.height - kSnapMm};
+        const auto on_border = [&](Vec2 a, Vec2 b) {
+            return std::min(std::abs(a.x), std::abs(b.x)) >= reach.x ||
+                   std::min(std::abs(a.y), std::abs(b.y)) >= reach.y;
+        };
+        for (std::size_t i = 0; i < graph_.edges.size(); ++i) {
+            const int half = static_cast<int>(2 * i);
+            const int a = graph_.face_of(half);
+            const int b = graph_.face_of(half ^ 1);
+            const Segment line = segment(half);
+            const double size = distance(line.a, line.b);
+            // What is no longer than this is rounding.
+            if (a == b && a != 0 && (ends[graph_.edges[i].line] += size) > 2.0 * kSilentMm) return false;
+            if (folds(half) && !nth(planes_, a).known) return false;
+            const bool outside = a == 0 || b == 0;
+            if (outside && a != b && !nth(planes_, std::max(a, b)).known && size > kSnapMm &&
+                on_border(line.a, line.b))
+                return false;
+        }
+        return true;
+    }
+
     // From fold to fold, beginning with the two halves of the page: what lies beyond a fold of what stands,
     // lies, and what lies beyond one of what lies, stands.
     bool find_planes() {
@@ -87,14 +128,9 @@ class CardMaker {
         for (std::size_t i = 0; i < order_.size(); ++i) {
             const Plane here = nth(planes_, order_[i]);
             for (const int half : graph_.halves_of(order_[i])) {
-                // It ends in the paper; what is no longer than this is rounding.
-                if (graph_.face_of(half ^ 1) == order_[i]) {
-                    const Segment line = segment(half);
-                    if (distance(line.a, line.b) > kSilentMm) return false;
-                }
                 if (!folds(half)) continue;
                 const Segment line = segment(half);
-                if (std::abs(line.a.x - line.b.x) > kSnapMm) return false;
+                if (!runs_along_gutter(line)) return false;
                 const double x = 0.5 * (line.a.x + line.b.x);
                 const Plane beyond{true, !here.upright, here.upright ? here.offset - x : x + here.offset};
                 Plane& there = nth(planes_, graph_.face_of(half ^ 1));
@@ -274,9 +310,13 @@ class CardMaker {
             follow(i, nth(number, fold.above == step.region ? fold.below : fold.above), place(fold));
         }
         std::vector<std::map<int, Vec2>> rows;
+        std::set<std::pair<int, int>> known;  // all folds between two plates lie on one line
+        for (std::size_t i = 0; i < folds_.size(); ++i) {
+            if (is_tree[i] != 0) known.insert({folds_[i].above, folds_[i].below});
+        }
         for (std::size_t i = 0; i < folds_.size(); ++i) {
             const Fold& fold = folds_[i];
-            if (is_tree[i] != 0) continue;
+            if (is_tree[i] != 0 || !known.insert({fold.above, fold.below}).second) continue;
             const Vec2 p = place(fold);
             Speed row = nth(speed, nth(number, fold.above));
             add(row, nth(number, fold.above), left_of(p));

@@ -136,7 +136,11 @@ class Teller {
 
 }  // namespace
 
-CardReading read(const Tracing& tracing, const Source& source, Diagnostics& diagnostics) {
+namespace {
+
+enum class Tried { elements, all };
+
+CardReading read(const Tracing& tracing, const Source& source, Tried tried, Diagnostics& diagnostics) {
     CardReading made;
     CardLines drawn = card_lines(tracing, diagnostics);
     std::vector<Segment> moves;
@@ -152,6 +156,7 @@ CardReading read(const Tracing& tracing, const Source& source, Diagnostics& diag
     Design design =
         make_design(tracing, *graph, *page, features, left.holes, drawn.printed, moves, diagnostics);
     if (diagnostics.has_errors_as_given()) {
+        if (tried == Tried::elements) return made;
         auto card = origamic_card(tracing, *graph, *page, features, drawn.printed, moves);
         if (!card) return made;
         diagnostics = before;
@@ -165,9 +170,15 @@ CardReading read(const Tracing& tracing, const Source& source, Diagnostics& diag
     return made;
 }
 
+}  // namespace
+
+CardReading read(const Tracing& tracing, const Source& source, Diagnostics& diagnostics) {
+    return read(tracing, source, Tried::all, diagnostics);
+}
+
 void tell_card(const Tracing& tracing, const Source& source, Diagnostics& diagnostics) {
     Diagnostics unheard(source.name);
-    const std::optional<Design> design = read(tracing, source, unheard).design;
+    const std::optional<Design> design = read(tracing, source, Tried::elements, unheard).design;
     if (!design || design->structures.empty() || unheard.has_findings()) return;
     const std::size_t count = design->structures.size();
     diagnostics
