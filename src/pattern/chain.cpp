@@ -391,7 +391,7 @@ void drop_straight(Contour& contour, const std::set<std::pair<double, double>>& 
 
 }  // namespace
 
-std::vector<Contour> cut_paths(std::vector<TaggedSegment> cuts) {
+std::vector<Contour> cut_paths(const std::vector<TaggedSegment>& cuts) {
     std::vector<TaggedSegment> joined = merged(cuts);
     const auto corners = corners_on(joined, cuts);
     if (std::all_of(corners.begin(), corners.end(), [](const auto& on) { return on.empty(); }))

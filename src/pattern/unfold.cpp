@@ -263,7 +263,7 @@ class Unfolder {
         } else {
             work.cuts = without(std::move(work.cuts), work.glued);
             work.cuts.insert(work.cuts.end(), work.tab_cuts.begin(), work.tab_cuts.end());
-            piece.cuts = cut_paths(std::move(work.cuts));
+            piece.cuts = cut_paths(work.cuts);
         }
         work.tab_seams = merged(std::move(work.tab_seams));
         std::vector<Segment> folded;
@@ -313,7 +313,7 @@ class Unfolder {
         };
         constexpr double kTwiceMm = 0.01;
         if (length_of(segments) - length_of(merged(segments)) < kTwiceMm) return drawn;
-        return cut_paths(std::move(segments));
+        return cut_paths(segments);
     }
 
     // Lines across a picture, so near each other that no label stands between two.

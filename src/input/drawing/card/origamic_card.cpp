@@ -397,7 +397,7 @@ class CardMaker {
             }
             for (Plate& plate : out_.assembly.plates) {
                 for (Polygon& part : intersect(shape, {plate.outline}))
-                    plate.prints.emplace_back(std::in_place_type<Area>, std::move(part), fill.color);
+                    plate.prints.emplace_back(std::in_place_type<Area>, Area{std::move(part), fill.color});
             }
         }
         for (const TracedLine* line : printed) {
@@ -405,8 +405,8 @@ class CardMaker {
             if (line->closed) points.push_back(points.front());
             for (Plate& plate : out_.assembly.plates) {
                 for (std::vector<Vec2>& part : clip_line(points, plate.outline))
-                    plate.prints.emplace_back(std::in_place_type<Stroke>, std::move(part), line->width_mm,
-                                              line->color);
+                    plate.prints.emplace_back(std::in_place_type<Stroke>,
+                                              Stroke{std::move(part), line->width_mm, line->color});
             }
         }
     }
