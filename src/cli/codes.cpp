@@ -68,12 +68,12 @@ constexpr std::array kCliCodes = std::to_array<CodeInfo>({
      "--exclude, by a .popupcignore file, or because their names begin with a full stop. Nothing has been "
      "checked, which is seldom what was meant. Correct the path or the patterns."},
     {"no-document", Severity::error, "a drawn card of which no document can be written",
-     "A document tells a card by its elements. This drawing is a card, but one whose flaps, figures or "
-     "stairs no "
-     "element has, so that it is folded as it is drawn (card-of-no-elements). Its sheets, models and checks "
-     "come "
-     "from the drawing; to have a document, change what no element has. popupc check --as card --deny "
-     "card-of-no-elements makes it an error elsewhere, too."},
+     "A document tells a card by its elements, and no element has what is drawn here: a flap or a figure "
+     "that "
+     "stands up at a fold, or stairs that share a cut (card-of-no-elements). popupc build makes sheets and "
+     "models of the drawing, and popupc check examines it. To have a document, leave out of the drawing what "
+     "no "
+     "element has."},
     {"option-unused", Severity::remark, "an option that no output or input of the run uses",
      "An option on the command line works for some formats only (--dpi for .png, --at for .view.png), or for "
      "some inputs (--snap for folded sheets, --lines for drawings). This run has none of them, so the option "

@@ -78,13 +78,13 @@ void check_documents(const Options& options, const std::vector<std::string>& nam
     }
 }
 
-// The document with its repairs; nullopt when they do not come to an end, or there is none: a finding is
-// added.
+// The document with its repairs. Adds a finding and returns nullopt if the repairs do not come to an end, or
+// if a document cannot tell the card.
 std::optional<std::string> mended(const Options& options, CompiledDesign& one) {
     if (!one.design) {
         one.diagnostics
             .error("no-document", {}, "no document can be written of this card: it is not made of elements")
-            .hint("popupc build makes everything else of the drawing itself");
+            .hint("popupc build writes sheets and models of the drawing itself");
         return std::nullopt;
     }
     auto text = mended_document(one, language_of(options.inputs, one.source), options.compile);

@@ -333,8 +333,8 @@ std::vector<Contour> chained(const std::vector<TaggedSegment>& segments) {
 
 namespace {
 
-// Where merged segments have been joined although another of the first ones ends there: on each, by the way
-// along it.
+// On each joined segment the places where two of the first ones were joined, and a third one ends that goes
+// another way: how far along it, and where. Sorted.
 std::vector<std::vector<std::pair<double, Vec2>>> corners_on(const std::vector<TaggedSegment>& joined,
                                                              const std::vector<TaggedSegment>& first) {
     struct End {

@@ -35,9 +35,9 @@ void put_in_order(std::vector<Contour>& contours);
 // exactly once. They are put in order. Cost: near linear.
 std::vector<Contour> chained(const std::vector<TaggedSegment>& segments);
 
-// The paths of cuts: merged and chained. Where one of the segments ends that goes another way, two in line
-// meet as well, and are not joined over it: an outline stays closed where a slit goes straight on from one of
-// its edges, and holes that touch in a corner stay two. Cost: near linear.
+// The paths of cuts: merged and chained. Two segments in line are not joined over a corner where a third one
+// ends. So an outline stays closed where a slit goes straight on from one of its edges, and holes that touch
+// in a corner stay two. Cost: near linear.
 std::vector<Contour> cut_paths(const std::vector<TaggedSegment>& cuts);
 
 }  // namespace popup
