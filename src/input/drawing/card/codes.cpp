@@ -18,6 +18,11 @@ constexpr std::array kDrawnCardCodes = std::to_array<CodeInfo>({
      "would hold it in the card, and it would fall out. What lies beyond the side folds is therefore not cut "
      "and stays with the page, as the Foldlings do it. End the outline at its side folds to say the same in "
      "the drawing."},
+    {"cut-on-fold", Severity::warning, "a cut that is drawn on a fold",
+     "A stretch of a fold is drawn as a cut as well, and the cut encloses nothing. The sheet can have one of "
+     "them there: the fold stayed, and the cut was left out. Draw the cut beside the fold if it is to part "
+     "something; if the fold is to be slit, end the fold where the slit begins. What is cut all around may "
+     "have folds drawn on its outline, and is not meant."},
     {"end-moved", Severity::warning, "an end of a line that misses what it meets",
      "A cut or a fold ends up to half a millimetre before, behind or beside the line that it was meant to "
      "meet. The end was moved: along its own line where that meets the other, or to where two loose ends "

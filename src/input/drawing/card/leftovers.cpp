@@ -28,8 +28,13 @@ class LeftoverFinder {
 
     Leftovers run() {
         sort_loose();
+        in_hole_.assign(static_cast<std::size_t>(graph_.faces()), 0);
+        for (const DrawnHole& hole : out_.holes) {
+            for (const int face : hole.faces) nth(in_hole_, face) = 1;
+        }
         look_at_features();
         look_at_lines();
+        look_at_cuts_on_folds();
         look_at_hanging();
         return std::move(out_);
     }
@@ -215,10 +220,61 @@ class LeftoverFinder {
         if (a == b) return add_idle(number, Idle::fold_in_paper);
         const int p = plate_of(a);
         const int q = plate_of(b);
-        if (p < 0 || q < 0) return;  // told with what hangs there
+        if (p < 0 || q < 0) return look_at_fold_in_hole(number);
         if (p == q || !is_drive(p, q, graph_.segment(2 * number)))
             return add_idle(number, Idle::fold_of_nothing);
         if (p + q == 1) tell_way(number, false);
+    }
+
+    // Others that no plate has are told with what hangs there, and a fold may be drawn on over a hole.
+    void look_at_fold_in_hole(int number) {
+        const Segment s = graph_.segment(2 * number);
+        const bool inside = in_hole(graph_.face_of(2 * number)) && in_hole(graph_.face_of(2 * number + 1));
+        if (!inside || distance(s.a, s.b) <= kSnapMm) return;
+        const bool drawn_on = std::any_of(features_.drives.begin(), features_.drives.end(),
+                                          [&](const Drive& drive) { return runs_along(drive, s); });
+        const GraphEdge& edge = nth(graph_.edges, number);
+        if (!drawn_on) out_.islands.push_back({edge.element, {}, graph_.at(edge.a)});
+    }
+
+    [[nodiscard]] bool in_hole(int face) const { return nth(in_hole_, face) != 0; }
+
+    // A cut on a fold is the outline of what it cuts all around, with the fold drawn on top of it. Else it
+    // parts paper that hangs together elsewhere.
+    void look_at_cuts_on_folds() {
+        constexpr unsigned any_cut = kCut | kCutOut;
+        std::vector<int> joined(static_cast<std::size_t>(graph_.faces()));
+        std::iota(joined.begin(), joined.end(), 0);
+        const auto root = [&](int face) {
+            while (nth(joined, face) != face) face = nth(joined, face) = nth(joined, nth(joined, face));
+            return face;
+        };
+        const auto both = [&](std::size_t edge) {
+            const int half = static_cast<int>(2 * edge);
+            return std::pair{root(graph_.face_of(half)), root(graph_.face_of(half ^ 1))};
+        };
+        for (std::size_t i = 0; i < graph_.edges.size(); ++i) {
+            const auto [a, b] = both(i);
+            if ((graph_.edges[i].ink & any_cut) == 0) nth(joined, std::max(a, b)) = std::min(a, b);
+        }
+        struct OnFold {
+            double size = 0.0;
+            int edge = 0;  // the first
+        };
+        std::map<int, OnFold> found;  // by line
+        for (std::size_t i = 0; i < graph_.edges.size(); ++i) {
+            const GraphEdge& edge = graph_.edges[i];
+            const auto [a, b] = both(i);
+            if (!is_fold(edge) || (edge.ink & any_cut) == 0 || a != b) continue;
+            OnFold& one = found.try_emplace(edge.line, OnFold{0.0, static_cast<int>(i)}).first->second;
+            one.size += distance(graph_.at(edge.a), graph_.at(edge.b));
+        }
+        for (const auto& [line, one] : found) {
+            if (one.size <= kSnapMm) continue;  // an end that runs over
+            const GraphEdge& edge = nth(graph_.edges, one.edge);
+            out_.cuts_on_folds.push_back(
+                {edge.element, fmt::format("{:.2f} mm", one.size), graph_.at(edge.a)});
+        }
     }
 
     struct IdleLine {
@@ -341,7 +397,7 @@ class LeftoverFinder {
     const Features& features_;
     std::map<std::pair<int, int>, std::vector<int>> drives_of_;
     std::vector<int> owner_;                         // of each face its feature; -1: the page, or none
-    std::vector<char> outside_;                      // faces
+    std::vector<char> outside_, in_hole_;            // faces
     std::set<int> used_;                             // folds
     std::map<std::pair<int, Idle>, IdleLine> idle_;  // by line
     std::set<int> torn_;                             // faces in which a fold nearly ends at another line

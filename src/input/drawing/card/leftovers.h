@@ -14,9 +14,10 @@ struct DrawnHole {
 struct Leftovers {
     std::vector<DrawnHole> holes;
     std::vector<NotUnderstood> faults;
-    std::vector<NotUnderstood> run_on;   // folds drawn on through features: left out
-    std::vector<NotUnderstood> islands;  // in holes: they fall out with them
-    std::vector<NotUnderstood> outside;  // of the page, once an element
+    std::vector<NotUnderstood> run_on;         // folds drawn on through features: left out
+    std::vector<NotUnderstood> islands;        // in holes: they fall out with them
+    std::vector<NotUnderstood> cuts_on_folds;  // left out; `what` is their length
+    std::vector<NotUnderstood> outside;        // of the page, once an element
     // Edges of folds that were drawn as the kind that they are, and as the other.
     std::vector<int> as_drawn, other_way;
 };

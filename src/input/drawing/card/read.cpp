@@ -65,6 +65,14 @@ class Teller {
                          "this lies in a hole and falls out with it" + at(one) + "; it is not cut")
                 .hint("join it to the paper around, or take it out");
         }
+        for (const NotUnderstood& one : left.cuts_on_folds) {
+            diagnostics_
+                .warning("cut-on-fold", place(one),
+                         one.what + " of this fold are drawn as a cut, too, from" + at(one).substr(4) +
+                             "; it stays a fold, and is not cut there")
+                .hint("draw the cut beside the fold, or end the fold where the cut begins")
+                .changed("a fold and a cut on it", "the fold");
+        }
         if (!left.outside.empty()) {
             const std::size_t count = left.outside.size();
             diagnostics_
@@ -102,12 +110,13 @@ class Teller {
     }
 
     void tell_origamic(const OrigamicCard& card) {
-        diagnostics_
-            .remark(
-                "card-of-no-elements", {},
-                fmt::format("this card is not made of elements; it is folded as it is drawn, {} plates that "
-                            "stay parallel to the two halves of the page",
-                            card.assembly.plates.size() - 2))
+        const std::size_t plates = card.assembly.plates.size() - 2;  // beside the halves of the page
+        std::string what = "this card is not made of elements; it is folded as it is drawn";
+        if (plates > 0) {
+            what += fmt::format(", {} plate{} the two halves of the page", plates,
+                                plates == 1 ? " that stays parallel to" : "s that stay parallel to");
+        }
+        diagnostics_.remark("card-of-no-elements", {}, std::move(what))
             .hint("no document can be written of it: change the drawing to change the card");
         if (card.off > kSilentMm) {
             diagnostics_
