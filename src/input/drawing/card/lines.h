@@ -31,4 +31,8 @@ CardLines card_lines(const Tracing& tracing, Diagnostics& diagnostics);
 std::optional<SheetGraph> join_ends(const Tracing& tracing, std::vector<SheetLine>& lines,
                                     std::vector<Segment>& moves, Diagnostics& diagnostics);
 
+// The lines that a graph was made of, without what drew some of its folds: edges. Cost: edges times folds.
+std::vector<SheetLine> without(const std::vector<SheetLine>& lines, const SheetGraph& graph,
+                               const std::vector<int>& edges);
+
 }  // namespace popup::drawing::card

@@ -17,6 +17,7 @@
 #include "base/geometry/tolerances.h"
 #include "base/nth.h"
 #include "input/design_limits.h"
+#include "input/drawing/card/planes.h"
 #include "input/origamic/folds.h"
 #include "input/origamic/make_assembly.h"
 
@@ -27,13 +28,18 @@ using origamic::Fold;
 using origamic::Holding;
 using origamic::Region;
 
-// More are no drawing of a card, and take too long to look at.
-constexpr std::size_t kMostPlates = 500;
 constexpr double kOpenCardDeg = 180.0;
 // Areas that differ by less are one.
 constexpr double kSpeckMm2 = 1e-3;
 
 double rounded(double mm) { return on_grid({mm, 0.0}).x; }
+
+std::vector<Vec2> on_page_of(const SheetGraph& graph, const CardPage& page) {
+    std::vector<Vec2> made;
+    made.reserve(graph.corners.size());
+    for (const Vec2 corner : graph.corners) made.push_back(on_grid(page.to_page(corner)));
+    return made;
+}
 
 class CardMaker {
  public:
@@ -46,9 +52,12 @@ class CardMaker {
         const bool outlined = std::any_of(features_.features.begin(), features_.features.end(),
                                           [](const DrawnFeature& feature) { return feature.outlined; });
         if (outlined || !features_.refused.empty()) return std::nullopt;
-        corners_.reserve(graph_.corners.size());
-        for (const Vec2 corner : graph_.corners) corners_.push_back(on_grid(page_.to_page(corner)));
-        if (!has_room() || !find_planes() || !is_all_paper() || !put_on_lines()) return std::nullopt;
+        if (!has_room()) return std::nullopt;
+        corners_ = on_page_of(graph_, page_);
+        std::optional<Planes> planes = find_planes(graph_, page_, features_, corners_, DrawnOn::taken);
+        if (!planes) return std::nullopt;
+        planes_ = std::move(*planes);
+        if (!is_all_paper() || !put_on_lines()) return std::nullopt;
         if (!add_regions()) return std::nullopt;
         add_folds();
         const Holding held = origamic::holding(regions_, folds_);
@@ -64,32 +73,14 @@ class CardMaker {
     }
 
  private:
-    struct Plane {
-        bool known = false;
-        bool upright = false;
-        double offset = 0.0;
-    };
-
-    // Whether paper is folded there: not so beside a hole, nor where the paper ends.
-    [[nodiscard]] bool folds(int half) const {
-        const int a = graph_.face_of(half);
-        const int b = graph_.face_of(half ^ 1);
-        return is_fold(graph_.edge(half)) && a != 0 && b != 0 && a != b &&
-               nth(features_.group_of, a) == nth(features_.group_of, b);
-    }
+    [[nodiscard]] bool folds(int half) const { return folds_paper(graph_, features_, half); }
+    [[nodiscard]] const Plane& plane(int half) const { return nth(planes_.of, graph_.face_of(half)); }
     [[nodiscard]] Vec2 at(int corner) const { return nth(corners_, corner); }
     [[nodiscard]] Segment segment(int half) const { return {at(graph_.from(half)), at(graph_.to(half))}; }
 
     [[nodiscard]] bool has_room() const {
         const auto fits = [](double mm) { return mm >= kSmallestPage && mm <= kLargestPage; };
         return fits(page_.width) && fits(page_.height);
-    }
-
-    [[nodiscard]] static bool runs_along_gutter(const Segment& line) {
-        constexpr double kLean = 0.2;
-        const double aside = std::abs(line.a.x - line.b.x);
-        if (distance(line.a, line.b) <= kSilentMm) return true;
-        return aside <= kSnapMm && aside <= kLean * std::abs(line.a.y - line.b.y);
     }
 
     // Whether no line is lost: none ends in the paper or in a hole, no fold lies in a hole, and no hole opens
@@ -109,40 +100,11 @@ class CardMaker {
             const double size = distance(line.a, line.b);
             // What is no longer than this is rounding.
             if (a == b && a != 0 && (ends[graph_.edges[i].line] += size) > 2.0 * kSilentMm) return false;
-            if (folds(half) && !nth(planes_, a).known) return false;
+            if (folds(half) && !nth(planes_.of, a).known) return false;
             const bool outside = a == 0 || b == 0;
-            if (outside && a != b && !nth(planes_, std::max(a, b)).known && size > kSnapMm &&
+            if (outside && a != b && !nth(planes_.of, std::max(a, b)).known && size > kSnapMm &&
                 on_border(line.a, line.b))
                 return false;
-        }
-        return true;
-    }
-
-    // From fold to fold, beginning with the two halves of the page: what lies beyond a fold of what stands,
-    // lies, and what lies beyond one of what lies, stands.
-    bool find_planes() {
-        planes_.resize(static_cast<std::size_t>(graph_.faces()));
-        nth(planes_, page_.left) = {true, true, 0.0};
-        nth(planes_, page_.right) = {true, false, 0.0};
-        order_ = {page_.left, page_.right};
-        for (std::size_t i = 0; i < order_.size(); ++i) {
-            const Plane here = nth(planes_, order_[i]);
-            for (const int half : graph_.halves_of(order_[i])) {
-                if (!folds(half)) continue;
-                const Segment line = segment(half);
-                if (!runs_along_gutter(line)) return false;
-                const double x = 0.5 * (line.a.x + line.b.x);
-                const Plane beyond{true, !here.upright, here.upright ? here.offset - x : x + here.offset};
-                Plane& there = nth(planes_, graph_.face_of(half ^ 1));
-                if (!there.known) {
-                    there = {true, beyond.upright, rounded(beyond.offset)};
-                    order_.push_back(graph_.face_of(half ^ 1));
-                    if (order_.size() > kMostPlates) return false;
-                } else if (there.upright != beyond.upright ||
-                           std::abs(there.offset - beyond.offset) > kSnapMm) {
-                    return false;
-                }
-            }
         }
         return true;
     }
@@ -156,9 +118,8 @@ class CardMaker {
         std::map<int, double> to;  // x, by corner
         for (std::size_t i = 0; i < graph_.edges.size(); ++i) {
             const int half = static_cast<int>(2 * i);
-            if (!folds(half) || !nth(planes_, graph_.face_of(half)).known) continue;
-            const double x =
-                line_of(nth(planes_, graph_.face_of(half)), nth(planes_, graph_.face_of(half ^ 1)));
+            if (!folds(half) || !plane(half).known) continue;
+            const double x = line_of(plane(half), plane(half ^ 1));
             for (const int corner : {graph_.from(half), graph_.to(half)}) {
                 const auto [known, fresh] = to.try_emplace(corner, x);
                 if (!fresh && std::abs(known->second - x) > kGridMm) return false;
@@ -214,9 +175,9 @@ class CardMaker {
     // False if the border of one crosses itself: corners were moved over others.
     bool add_regions() {
         region_of_.assign(static_cast<std::size_t>(graph_.faces()), -1);
-        for (const int face : order_) {
+        for (const int face : planes_.order) {
             nth(region_of_, face) = static_cast<int>(regions_.size());
-            const Plane& plane = nth(planes_, face);
+            const Plane& plane = nth(planes_.of, face);
             const bool of_cover = face == page_.left || face == page_.right;
             Polygon made = area_of(face);
             std::vector<Ring> rings = made.holes;
@@ -351,7 +312,7 @@ class CardMaker {
                 continue;
             }
             named.plate = named.joint = fmt::format("plate-{}", ++count);
-            named.place = nth(tracing_.elements, element_of(nth(order_, step.region))).place;
+            named.place = nth(tracing_.elements, element_of(nth(planes_.order, step.region))).place;
         }
         return made;
     }
@@ -417,8 +378,7 @@ class CardMaker {
     const Features& features_;
     std::vector<Vec2> corners_;   // on the page
     std::vector<Segment> snaps_;  // of them, on the page
-    std::vector<Plane> planes_;   // by face
-    std::vector<int> order_;      // faces that folds lead to: the regions
+    Planes planes_;               // the faces of their order are the regions
     std::vector<int> region_of_;  // by face; -1: none
     std::vector<Region> regions_;
     std::vector<Fold> folds_;
@@ -432,6 +392,11 @@ std::optional<OrigamicCard> origamic_card(const Tracing& tracing, const SheetGra
                                           const std::vector<const TracedLine*>& printed,
                                           const std::vector<Segment>& moves) {
     return CardMaker(tracing, graph, page, features).run(printed, moves);
+}
+
+std::vector<int> folds_drawn_on(const SheetGraph& graph, const CardPage& page, const Features& features) {
+    auto planes = find_planes(graph, page, features, on_page_of(graph, page), DrawnOn::looked_for);
+    return planes ? std::move(planes->drawn_on) : std::vector<int>{};
 }
 
 }  // namespace popup::drawing::card

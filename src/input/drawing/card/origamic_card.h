@@ -29,4 +29,8 @@ std::optional<OrigamicCard> origamic_card(const Tracing& tracing, const SheetGra
                                           const std::vector<const TracedLine*>& printed,
                                           const std::vector<Segment>& moves);
 
+// Where origamic_card() finds none: stretches of folds that are drawn on beyond a cut, through plates that
+// other folds hold. Edges, ascending; without them it may find one.
+std::vector<int> folds_drawn_on(const SheetGraph& graph, const CardPage& page, const Features& features);
+
 }  // namespace popup::drawing::card

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <set>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -35,12 +37,7 @@ class Teller {
             }
         }
         for (const NotUnderstood& one : left.run_on) {
-            diagnostics_
-                .warning("fold-drawn-on", place(one),
-                         "this fold is drawn on through a feature that stands on it, from" +
-                             at(one).substr(4) + "; that stretch was left out")
-                .hint("end the fold at the cuts of the feature")
-                .changed("a fold through the feature", "a fold up to its cuts");
+            tell_drawn_on(one, "a feature that stands on it", "end the fold at the cuts of the feature");
         }
         tell_ways(left.as_drawn, left.other_way);
     }
@@ -109,6 +106,15 @@ class Teller {
                 "way");
     }
 
+    void tell_drawn_on(const NotUnderstood& one, std::string_view through, std::string hint) {
+        diagnostics_
+            .warning("fold-drawn-on", place(one),
+                     fmt::format("this fold is drawn on through {}, from{}; that stretch was left out",
+                                 through, at(one).substr(4)))
+            .hint(std::move(hint))
+            .changed("a fold through the paper", "a fold up to the cuts");
+    }
+
     void tell_origamic(const OrigamicCard& card) {
         const std::size_t plates = card.assembly.plates.size() - 2;  // beside the halves of the page
         std::string what = "this card is not made of elements; it is folded as it is drawn";
@@ -149,6 +155,43 @@ namespace {
 
 enum class Tried { elements, all };
 
+// A card of no elements, and what is said of it.
+std::optional<OrigamicCard> read_origamic(const Tracing& tracing, const SheetGraph& graph,
+                                          const CardPage& page, const Features& features,
+                                          const Leftovers& left, const CardLines& drawn,
+                                          const std::vector<Segment>& moves, Diagnostics& diagnostics) {
+    auto card = origamic_card(tracing, graph, page, features, drawn.printed, moves);
+    if (!card) return std::nullopt;
+    Teller teller(tracing, graph, diagnostics);
+    teller.tell_rest(features, left);
+    teller.tell_origamic(*card);
+    return card;
+}
+
+// The same where folds are drawn on through plates, without these stretches.
+std::optional<OrigamicCard> read_without(const std::vector<int>& stretches, const Tracing& tracing,
+                                         const SheetGraph& graph, const CardLines& drawn,
+                                         const std::vector<Segment>& moves, Diagnostics& diagnostics) {
+    if (stretches.empty()) return std::nullopt;
+    Diagnostics unheard(diagnostics.file());
+    const auto rest = make_graph(without(drawn.lines, graph, stretches));
+    const auto page = rest ? find_page(tracing, *rest, unheard) : std::nullopt;
+    if (!page) return std::nullopt;
+    const Features features = find_features(*rest, *page);
+    const Leftovers left = find_leftovers(*rest, features);
+    auto card = read_origamic(tracing, *rest, *page, features, left, drawn, moves, diagnostics);
+    if (!card) return std::nullopt;
+    std::set<int> told;  // lines
+    for (const int stretch : stretches) {
+        const GraphEdge& edge = nth(graph.edges, stretch);
+        if (!told.insert(edge.line).second) continue;
+        Teller(tracing, graph, diagnostics)
+            .tell_drawn_on({edge.element, {}, graph.at(edge.a)}, "the paper beyond a cut",
+                           "end the fold at the cut");
+    }
+    return card;
+}
+
 CardReading read(const Tracing& tracing, const Source& source, Tried tried, Diagnostics& diagnostics) {
     CardReading made;
     CardLines drawn = card_lines(tracing, diagnostics);
@@ -159,23 +202,25 @@ CardReading read(const Tracing& tracing, const Source& source, Tried tried, Diag
     if (!page) return made;
     const Features features = find_features(*graph, *page);
     const Leftovers left = find_leftovers(*graph, features);
+    Diagnostics of_card = diagnostics;
     Teller(tracing, *graph, diagnostics).tell_rest(features, left);
-    const Diagnostics before = diagnostics;
     Teller(tracing, *graph, diagnostics).tell_elements(features, left);
     Design design =
         make_design(tracing, *graph, *page, features, left.holes, drawn.printed, moves, diagnostics);
-    if (diagnostics.has_errors_as_given()) {
-        if (tried == Tried::elements) return made;
-        auto card = origamic_card(tracing, *graph, *page, features, drawn.printed, moves);
-        if (!card) return made;
-        diagnostics = before;
-        Teller(tracing, *graph, diagnostics).tell_origamic(*card);
-        made.assembly = std::move(card->assembly);
+    if (!diagnostics.has_errors_as_given()) {
+        design.file = source.name;
+        design.stem = source.stem();
+        made.design = std::move(design);
         return made;
     }
-    design.file = source.name;
-    design.stem = source.stem();
-    made.design = std::move(design);
+    if (tried == Tried::elements) return made;
+    auto card = read_origamic(tracing, *graph, *page, features, left, drawn, moves, of_card);
+    if (!card) {
+        card = read_without(folds_drawn_on(*graph, *page, features), tracing, *graph, drawn, moves, of_card);
+    }
+    if (!card) return made;
+    diagnostics = std::move(of_card);
+    made.assembly = std::move(card->assembly);
     return made;
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -56,8 +57,9 @@ struct Skyline {
 };
 
 // Strips beside one another, each as deep and as high as it likes, with figures that stand up at its front
-// edge, or that reach forwards from it.
-Skyline skyline(std::uint64_t seed) {
+// edge, or that reach forwards from it. The gutter and the folds of the strips may be drawn as whole lines.
+enum class Folds { up_to_cuts, whole };
+Skyline skyline(std::uint64_t seed, Folds folds = Folds::up_to_cuts) {
     std::mt19937 random(static_cast<std::mt19937::result_type>(seed));
     const auto tenths = [&](int low, int high) {
         return 0.1 * static_cast<double>(
@@ -79,8 +81,8 @@ Skyline skyline(std::uint64_t seed) {
         const double high = tenths(15, 40);
         const double edge = depth - high;
         y = to;
-        fold(Pen::valley, 0, gutter, from);
-        gutter = to;
+        if (folds == Folds::up_to_cuts) fold(Pen::valley, 0, gutter, from);
+        if (folds == Folds::up_to_cuts) gutter = to;
         for (const double cut : {from, to}) card.line(Pen::cut, {{-high, cut}, {depth, cut}});
         // The figure: with a shoulder, so that it has corners that nobody else has.
         const double left = from + tenths(4, 8);
@@ -90,14 +92,17 @@ Skyline skyline(std::uint64_t seed) {
         const double size = tenths(5, 60);
         const double over =
             up ? size - (edge + high) : size - (depth - edge);  // beyond the far fold of the strip
-        if (std::abs(over) < 3.0) return skyline(seed + 1000);
         const double shoulder = 0.5 * (left + right);
         const double tip = edge + way * size;
+        // Lines that are near to one another may be meant as one.
+        const double beside_gutter = std::min({std::abs(edge), std::abs(tip), std::abs(tip - 1.5 * way)});
+        if (std::abs(over) < 3.0 || beside_gutter < 1.0) return skyline(seed + 1000, folds);
         card.line(Pen::cut,
                   {{edge, left}, {tip, left}, {tip, shoulder}, {tip - 1.5 * way, right}, {edge, right}});
         fold(Pen::mountain, edge, from, left);
         fold(Pen::mountain, edge, right, to);
-        const auto side = [&](double x, bool parted) {
+        const auto side = [&](double x, bool crossed) {
+            const bool parted = crossed && folds == Folds::up_to_cuts;
             fold(Pen::valley, x, from, parted ? left : to);
             if (parted) fold(Pen::valley, x, right, to);
         };
@@ -118,11 +123,13 @@ TEST(OrigamicCard, RandomSkylinesAreCutAsTheyAreDrawnAndStandWhereTheyMust) {
         test::HandOptions options;
         options.lying = seed % 2 == 0;
         options.doubled = seed % 5 == 0;
-        const std::string text = test::draw_card(drawn.card, test::kHands.at(seed % 6), options, seed);
+        const bool whole = seed % 3 == 1;
+        const InkedCard& card = whole ? skyline(seed, Folds::whole).card : drawn.card;
+        const std::string text = test::draw_card(card, test::kHands.at(seed % 6), options, seed);
         const CompiledDesign one = compiled(text);
         const std::string what = fmt::format("seed {}\n{}\n", seed, findings(one));
         ASSERT_TRUE(one.pattern && one.assembly) << what << text;
-        EXPECT_EQ(findings(one).find(kToldAlways), 0U) << what;
+        EXPECT_EQ(findings(one).find(whole ? "fold-drawn-on: " : kToldAlways), 0U) << what;
         ASSERT_EQ(one.pattern->pieces.size(), 1U) << what;
         EXPECT_LE(test::apart(drawn.card.sets(), test::lines_of(one.pattern->pieces.front())), 0.01) << what;
         EXPECT_TRUE(faults_of(*one.assembly).empty()) << what;
