@@ -25,7 +25,7 @@ bool have_browser();
 inline constexpr const char* kNoBrowser = "there is no /usr/bin/chromium, or no node";
 
 // What tests/tools/drive_page.mjs says of a page and of these expressions; `picture` takes what is seen at
-// the end, "-": nothing. Null, and a failure, when the browser fails.
+// the end, or what is printed of it (*.pdf); "-": nothing. Null, and a failure, when the browser fails.
 nlohmann::json drive(const ScratchDirectory& scratch, const std::string& page, const std::string& picture,
                      const std::vector<std::string>& expressions, const std::string& scheme = "light",
                      int width = 800, int height = 600);

@@ -1,8 +1,9 @@
 // Opens a page in Chromium without a window and asks it questions, through a pipe:
 //   node drive_page.mjs CHROMIUM PROFILE PAGE PICTURE WIDTH HEIGHT SCHEME [EXPRESSION ...]
 // PROFILE is an empty folder for the browser; PAGE is a file, or an address that begins with http; PICTURE takes a PNG of
-// the page as it stands after the last expression ("-": none); SCHEME is light or dark, and after a comma no-webgl or
-// no-script for a browser without. Expressions are JavaScript, or "@FILE" for all of a file's; promises are waited for.
+// the page as it stands after the last expression, or what is printed of it if it ends with .pdf ("-": none); SCHEME is
+// light or dark, and after a comma no-webgl or no-script for a browser without. Expressions are JavaScript, or "@FILE" for
+// all of a file's; promises are waited for.
 // "press KEY" presses a key (Tab, Enter, Shift+Tab, ArrowDown, a letter) and "type TEXT" types a text, where the focus
 // is, as a hand would. "$ COMMAND" is done by sh, and gives what it prints. Prints
 // {messages: [what the page wrote to the console, and what the browser says of it], values: [one an expression]}.
@@ -116,7 +117,10 @@ async function drive() {
     else values.push(await evaluate(expression));
   }
   if (lacking !== 'no-script') await evaluate(drawn);
-  if (picture !== '-') {
+  if (picture.endsWith('.pdf')) {
+    const printed = await ask('Page.printToPDF', {});
+    writeFileSync(picture, Buffer.from(printed.data, 'base64'));
+  } else if (picture !== '-') {
     const shot = await ask('Page.captureScreenshot', { format: 'png' });
     writeFileSync(picture, Buffer.from(shot.data, 'base64'));
   }

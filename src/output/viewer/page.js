@@ -200,7 +200,7 @@ const kTurns = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowD
 function onKey(event) {
   if (event.ctrlKey || event.metaKey || event.altKey) return;
   const { key } = event;
-  const inButton = event.target instanceof Element && event.target.closest('button, summary, a');
+  const inButton = event.target instanceof Element && event.target.closest('button, summary, a, [type=checkbox]');
   if (panelShown !== 'model' || (event.target instanceof Element && event.target.closest('[role=tab]'))) return;
   const inSlider = event.target === byId('opening');
   if (event.shiftKey && kTurns[key]) {
@@ -338,7 +338,8 @@ if (scene.opening) {
 // ---- beginning
 
 function begin() {
-  const gl = canvas.getContext('webgl2', { antialias: true, stencil: true, alpha: true });
+  // Kept, so that it is there when the page is printed.
+  const gl = canvas.getContext('webgl2', { antialias: true, stencil: true, alpha: true, preserveDrawingBuffer: true });
   if (!gl) {
     canvas.hidden = true;
     for (const id of ['controls', 'keys', 'views']) byId(id).hidden = true;

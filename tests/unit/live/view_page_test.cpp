@@ -100,13 +100,18 @@ TEST_F(LivePage, ErrorsStandOverTheLastPictureUntilTheyAreMended) {
     const std::string place =
         "(({top, bottom}) => [top > 0, bottom < byId('panel').getBoundingClientRect().top])("
         "byId('trouble').getBoundingClientRect())";
+    const std::string on_top =
+        "(({left, width, top, height}) => byId('trouble').contains(document.elementFromPoint(left + width / "
+        "2, "
+        "top + height / 2)))(byId('trouble').getBoundingClientRect())";
     const nlohmann::json values =
         look({trouble, save("wrong"), "until(() => !byId('trouble').hidden)", trouble, "document.title",
               place, "byId('tab-findings').click(); byId('findings-panel').innerText.includes('card.xml:2')",
               "$ rm " + (view.scratch / "card.xml").string(),
               "until(() => byId('trouble').innerText.includes('cannot be read'))", save("castle"),
-              "until(() => byId('trouble').hidden)", trouble, "document.title"});
-    ASSERT_EQ(values.size(), 14U);
+              "until(() => byId('trouble').hidden)", trouble, "document.title", save("wrong"),
+              "until(() => !byId('trouble').hidden)", on_top});
+    ASSERT_EQ(values.size(), 17U);
     EXPECT_EQ(values[1].at("hidden"), true);
     EXPECT_EQ(values[3], true);
     EXPECT_EQ(values[4].at("stale"), true);
@@ -122,6 +127,7 @@ TEST_F(LivePage, ErrorsStandOverTheLastPictureUntilTheyAreMended) {
     EXPECT_EQ(values[11], true);
     EXPECT_EQ(values[12].at("stale"), false);
     EXPECT_EQ(values[13], "card");
+    EXPECT_EQ(values[16], true) << "seen, and not below the picture";
 }
 
 // From a card to a pile of parts that stand, and back; and a design with pictures.

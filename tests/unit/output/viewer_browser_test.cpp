@@ -160,6 +160,24 @@ TEST(ViewerKeys, OpenPlayTurnAndReset) {
     EXPECT_EQ(values[11], true);
 }
 
+TEST(ViewerKeys, ASpaceOnASwitchSwitches) {
+    if (!test::have_browser()) GTEST_SKIP() << test::kNoBrowser;
+    const ScratchDirectory scratch;
+    ASSERT_EQ(popupc({"build", "-q", kRoot / "samples/castle.xml", "-o", scratch / "a.html"}).exit, 0);
+    const std::string playing = "document.querySelector('#play').getAttribute('aria-label')";
+    const nlohmann::json driven =
+        drive(scratch, scratch / "a.html", "-",
+              {"document.querySelector('#edges').focus(); document.querySelector('#edges').checked",
+               "press  ", "document.querySelector('#edges').checked", playing,
+               "document.querySelector('#opening').focus(); 0", "press  ", playing});
+    ASSERT_TRUE(driven.is_object());
+    const auto& values = driven.at("values");
+    EXPECT_EQ(values[0], true);
+    EXPECT_EQ(values[2], false);
+    EXPECT_EQ(values[3], "Play");
+    EXPECT_EQ(values[6], "Pause");
+}
+
 // Of the page in this size: whether all buttons above the model end before it begins, whether anything of the
 // model comes to the edges of where it is drawn, and whether any of it is seen.
 constexpr const char* kFreePart = R"js((() => {
@@ -226,6 +244,35 @@ TEST(ViewerTabs, ShowTheSheetsOfTheSvgOutputAndTheFindings) {
     EXPECT_EQ(values[4], nlohmann::json({"findings"}));
     EXPECT_EQ(values[5], "tab-findings");
     EXPECT_EQ(values[6], nlohmann::json({"model"}));
+}
+
+// Pages of a PDF, as pictures.
+std::vector<fs::path> pages_of(const ScratchDirectory& scratch, const fs::path& pdf) {
+    EXPECT_EQ(test::run({"pdftoppm", "-r", "40", "-png", pdf, scratch / "page"}).exit, 0);
+    std::vector<fs::path> made;
+    for (const auto& entry : fs::directory_iterator(scratch.path())) {
+        if (entry.path().extension() == ".png") made.push_back(entry.path());
+    }
+    return made;
+}
+
+TEST(ViewerPrint, HasTheModelAsItStandsOrAllSheets) {
+    if (!test::have_browser()) GTEST_SKIP() << test::kNoBrowser;
+    if (!test::have_program("pdftoppm")) GTEST_SKIP() << "no pdftoppm (Debian package poppler-utils)";
+    const ScratchDirectory scratch;
+    ASSERT_EQ(popupc({"build", "-q", kRoot / "samples/castle.xml", "-o", scratch / "a.html"}).exit, 0);
+    ASSERT_TRUE(drive(scratch, scratch / "a.html", scratch / "model.pdf", {}).is_object());
+    const std::vector<fs::path> model = pages_of(scratch, scratch / "model.pdf");
+    ASSERT_EQ(model.size(), 1U);
+    EXPECT_GE(colours_of(model.front()), 20U) << "plates, as the light falls on them";
+    fs::remove(model.front());
+    const nlohmann::json sheets =
+        drive(scratch, scratch / "a.html", scratch / "sheets.pdf",
+              {"document.querySelector('#tab-sheets').click(); 0",
+               test::when(test::kSheetsDrawn, "document.querySelectorAll('#sheets-panel img').length")},
+              "dark");
+    ASSERT_TRUE(sheets.is_object());
+    EXPECT_EQ(pages_of(scratch, scratch / "sheets.pdf").size(), sheets.at("values")[1]);
 }
 
 TEST(ViewerStill, IsShownWhereThereIsNoWebGlAndWhereThereAreNoScripts) {
