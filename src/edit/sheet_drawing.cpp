@@ -195,9 +195,12 @@ class Writer {
         replace(length, shown_number(pixels / one * by) + std::string(value.substr(unit)));
     }
 
-    // The map of an element's own coordinates to mm; nullopt after an error.
+    // The map of an element's own coordinates to mm; nullopt after an error. What groups around say of the
+    // angles of folds is noted.
     std::optional<Affine> map_of(Offset element, const std::vector<Offset>& around, Attributes& own) {
         Affine map = to_mm_;
+        around_deg_.reset();
+        std::optional<drawing::ShapeProblem> unheard;
         for (std::size_t i = 0; i <= around.size(); ++i) {
             const Offset one = i < around.size() ? around[i] : element;
             auto tree = xml::Tree::parse(located_, one, xml::Tree::Extent::tag, diagnostics_);
@@ -214,7 +217,10 @@ class Writer {
                 if (const auto inner = drawing::parse_transform(transform->value.decoded))
                     map = map.after(*inner);
             }
-            if (i == around.size()) own = std::move(attributes);
+            if (i == around.size())
+                own = std::move(attributes);
+            else
+                around_deg_ = drawing::inherited_angle(attributes, around_deg_, unheard);
             trees_.push_back(std::move(*tree));
         }
         return map;
@@ -240,7 +246,7 @@ class Writer {
     void write_angles(const Attributes& own, const ElementMoves& moves, bool edges, std::size_t sides,
                       Place place) {
         std::optional<drawing::ShapeProblem> problem;
-        const auto said = drawing::fold_angles(own, moves.lines(), {}, problem).deg;
+        const auto said = drawing::fold_angles(own, moves.lines(), {}, around_deg_, problem).deg;
         const xml::Attribute* given = own.find(drawing::kFoldAngle);
         if (!moves.has_angles() && !((edges || sides > 0) && given != nullptr)) return;
         if (problem) {
@@ -505,7 +511,8 @@ class Writer {
     std::optional<drawing::ViewBox> box_;
     Vec2 page_, view_;
     Affine to_mm_;
-    std::vector<xml::Tree> trees_;  // attributes live in them
+    std::optional<double> around_deg_;  // of the element at hand
+    std::vector<xml::Tree> trees_;      // attributes live in them
     std::vector<xml::PatchEdit> changes_;
 };
 

@@ -521,7 +521,7 @@ class PartMaker {
             for (Polygon& one : intersect(area, paper)) {
                 if (popup::area(one) <= 1e-3) continue;
                 printed = true;
-                parts_[at(part)].fills.push_back({std::move(one), fill.color});
+                if (fill.is_printed) parts_[at(part)].fills.push_back({std::move(one), fill.color});
             }
         }
         if (!printed && fill.without_stroke) tell_shape_outside(fill.element);

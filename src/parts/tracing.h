@@ -63,6 +63,7 @@ struct TracedFill {
     std::vector<Ring> rings;
     bool even_odd = false;
     bool without_stroke = false;
+    bool is_printed = true;  // not so of gradients and patterns
     Color color;
     int element = 0;
     int owner = 0;

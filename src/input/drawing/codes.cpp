@@ -20,7 +20,9 @@ constexpr std::array kDrawingCodes = std::to_array<CodeInfo>({
     {"bad-transform", Severity::error, "a transform that cannot be read",
      "A transform is a list of matrix, translate, scale, rotate, skewX and skewY, each with its numbers in "
      "brackets. This one has another word, or a wrong count of numbers, so it is not known where the "
-     "shapes below it are. Correct it, or let a drawing program apply the transforms to the shapes."},
+     "shapes below it are. Its transform-origin is two lengths, or words such as left and top. Correct it, "
+     "or let "
+     "a drawing program apply the transforms to the shapes."},
     {"clip-ignored", Severity::warning, "a clip path or a mask that is not applied",
      "The drawing hides parts of its shapes behind clip paths or masks. A cutter follows whole contours, "
      "so these shapes are cut as they are, hidden parts included. Intersect the shapes with what clips "
@@ -40,6 +42,11 @@ constexpr std::array kDrawingCodes = std::to_array<CodeInfo>({
      "Short solid lines that go on where a dashed line of the same colour and width ends, one of its gaps "
      "away, and are no longer than its dashes, are taken for dashes of it. If they are cuts, give them "
      "another colour."},
+    {"fill-not-printed", Severity::warning, "fills that are not printed",
+     "Printed are fills in one colour. These are gradients or patterns, or in a colour that is not "
+     "understood, "
+     "such as lab(); their shapes are cut or not as all others are, but nothing is printed. Fill them with a "
+     "colour that is written as #rrggbb, or place a picture on the design."},
     {"folds-as-cuts", Severity::warning, "lines that look like folds, and are cut",
      "The drawing has dashed lines, lines in the colours that folds often have (red, blue, magenta), or "
      "layers "
@@ -88,7 +95,9 @@ constexpr std::array kDrawingCodes = std::to_array<CodeInfo>({
      "Rules of style elements are read when they are for a tag, a class, an id, a class of a tag, or :root. "
      "Others, such as those for elements inside of others, and conditions such as @media, are not. What "
      "they say of strokes, fills and hidden shapes may be missed. Let the drawing program write styles as "
-     "attributes, or inline. A value with a variable (var(--dashes)) that nothing sets, and that has no "
+     "attributes, or inline. A style sheet in another file is not read at all, and neither is what moves "
+     "shapes otherwise than a transform does, such as the properties rotate and translate. A value with a "
+     "variable (var(--dashes)) that nothing sets, and that has no "
      "fallback, is left out, too, as browsers do."},
 });
 

@@ -73,9 +73,9 @@ std::vector<Segment> straight_sides(const Path& path) {
 }
 
 FoldAngles fold_angles(const Attributes& attributes, std::size_t lines, const Path& path,
-                       std::optional<ShapeProblem>& problem) {
+                       std::optional<double> around, std::optional<ShapeProblem>& problem) {
     const xml::Attribute* attribute = attributes.find(kFoldAngle);
-    if (attribute == nullptr) return {};
+    if (attribute == nullptr) return around ? FoldAngles{Angles(lines, around), {}} : FoldAngles{};
     std::string fault;
     std::optional<Angles> angles = angles_in(attribute->value.decoded, fault);
     if (angles && angles->size() == 1) return {Angles(lines, angles->front()), {}};
@@ -89,6 +89,20 @@ FoldAngles fold_angles(const Attributes& attributes, std::size_t lines, const Pa
     }
     if (!problem) problem = ShapeProblem{attribute, "bad-number", std::move(fault), std::nullopt};
     return {};
+}
+
+std::optional<double> inherited_angle(const Attributes& attributes, std::optional<double> around,
+                                      std::optional<ShapeProblem>& problem) {
+    const xml::Attribute* attribute = attributes.find(kFoldAngle);
+    if (attribute == nullptr) return around;
+    std::string fault;
+    const std::optional<Angles> angles = angles_in(attribute->value.decoded, fault);
+    if (angles && angles->size() == 1) return angles->front();
+    if (angles)
+        fault = fmt::format("'{}' of a group has {} angles, and not one for all folds in it", kFoldAngle,
+                            angles->size());
+    problem = ShapeProblem{attribute, "bad-number", std::move(fault), std::nullopt};
+    return std::nullopt;
 }
 
 }  // namespace popup::drawing

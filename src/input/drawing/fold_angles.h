@@ -21,9 +21,13 @@ struct FoldAngles {
 };
 // What an element that draws a path, in mm, as so many lines says. It has an angle for all lines, one for
 // each, or, of a path without curves, one for each side; blanks or commas are between. Without the attribute,
-// none. A fault goes to `problem` (bad-number).
+// that of the group around it, if any. A fault goes to `problem` (bad-number).
 FoldAngles fold_angles(const Attributes& attributes, std::size_t lines, const Path& path,
-                       std::optional<ShapeProblem>& problem);
+                       std::optional<double> around, std::optional<ShapeProblem>& problem);
+
+// What a group says of all folds in it, one angle; without the attribute, what is said around it.
+std::optional<double> inherited_angle(const Attributes& attributes, std::optional<double> around,
+                                      std::optional<ShapeProblem>& problem);
 
 // The sides of a path in mm, in the order in which it is drawn, what closes it included, on the grid that
 // flatten() has; steps between points that are one there are none. None at all if one is a curve, or reaches

@@ -178,6 +178,15 @@ std::string_view Attributes::value(std::string_view name) const {
     return attribute == nullptr ? std::string_view{} : trimmed(attribute->value.decoded);
 }
 
+void Attributes::put(std::string_view name, std::string_view value, Place place) {
+    std::erase_if(all_, [&](const xml::Attribute& a) { return a.name == name; });
+    xml::Attribute one;
+    one.name = expanded_.emplace_back(name);
+    one.value.decoded = expanded_.emplace_back(value);
+    one.value.place = one.place = place;
+    all_.push_back(one);
+}
+
 double length_of(const Attributes& attributes, std::string_view name, double whole, double otherwise,
                  std::optional<ShapeProblem>& problem) {
     const xml::Attribute* attribute = attributes.find(name);

@@ -28,10 +28,12 @@ class Attributes {
     // Its value; empty when it is missing.
     [[nodiscard]] std::string_view value(std::string_view name) const;
     [[nodiscard]] const std::vector<xml::Attribute>& all() const { return all_; }
+    // Takes what a style says of one in its place.
+    void put(std::string_view name, std::string_view value, Place place);
 
  private:
     std::vector<xml::Attribute> all_;
-    std::deque<std::string> expanded_;  // values that stand for others
+    std::deque<std::string> expanded_;  // names and values that stand for others
 };
 
 // What is wrong with an attribute.

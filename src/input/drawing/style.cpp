@@ -24,11 +24,14 @@ constexpr std::array<std::pair<std::string_view, Property>, kProperties> kNames{
     {"stroke-dasharray", Property::dashes},
     {"opacity", Property::opacity},
     {"stroke-opacity", Property::stroke_opacity},
+    {"fill-opacity", Property::fill_opacity},
     {"color", Property::color},
     {"stroke-width", Property::width},
     {"fill-rule", Property::fill_rule},
     {"clip-path", Property::clip},
     {"mask", Property::mask},
+    {"transform", Property::transform},
+    {"transform-origin", Property::transform_origin},
 }};
 
 bool is_word(std::string_view text) {
@@ -40,6 +43,11 @@ bool is_word(std::string_view text) {
 }
 
 constexpr std::string_view kRoot = ":root";
+
+template <typename List>
+bool among(const List& list, std::string_view name) {
+    return std::find(list.begin(), list.end(), name) != list.end();
+}
 
 // How much a selector of one element weighs; -1 when it is none.
 int weight_of(std::string_view selector) {
@@ -104,10 +112,16 @@ void each_declaration(std::string_view list, Use use) {
     }
 }
 
+// Words that mean the same for every property: its inherited value, if it is inherited at all, or its
+// kInitial.
+bool says_inherit(std::string_view text) {
+    const std::string word = lower(text);
+    return word == "inherit" || word == "unset" || word == "revert" || word == "revert-layer";
+}
+bool says_initial(std::string_view text) { return lower(text) == "initial"; }
+
 // Lengths of dashes and gaps in turn; of an odd number twice.
 void take_dashes(std::string_view text, Style& style) {
-    style.dash = Dash::none;
-    style.dash_length = style.gap_length = 0.0;
     NumberScanner scanner(text);
     std::vector<double> lengths;
     double sum = 0.0;
@@ -116,15 +130,21 @@ void take_dashes(std::string_view text, Style& style) {
         sum += *number;
         while (scanner.peek() == '%' || (scanner.peek() | 0x20) >= 'a') scanner.skip(1);  // a unit
     }
+    // What is no list of lengths leaves things as they are.
+    if (lengths.empty() && lower(trimmed(text)) != "none" && !says_initial(text)) return;
+    style.dash = Dash::none;
+    style.dash_length = style.gap_length = 0.0;
     if (!(sum > 0.0)) return;
-    style.dash = Dash::even;
+    bool mixed = false;
     const std::size_t period = lengths.size() % 2 == 0 ? lengths.size() : 2 * lengths.size();
     for (std::size_t i = 0; i < period; ++i) {
         const double here = lengths[i % lengths.size()];
         double& longest = i % 2 == 0 ? style.dash_length : style.gap_length;
         longest = std::max(longest, here);
-        if (i % 2 == 0 && here != lengths[0]) style.dash = Dash::mixed;
+        if (i % 2 == 0 && here != lengths[0]) mixed = true;
     }
+    // Dashes that nothing parts are a line.
+    if (style.gap_length > 0.0) style.dash = mixed ? Dash::mixed : Dash::even;
 }
 
 std::string scan_word(NumberScanner& scanner) {
@@ -213,13 +233,16 @@ std::optional<Color> parse_hue(std::string_view text, bool is_hwb) {
     return of_shares(shares);
 }
 
-// Words that mean the same for every property: its inherited value, if it is inherited at all, or its
-// kInitial.
-bool says_inherit(std::string_view text) {
-    const std::string word = lower(text);
-    return word == "inherit" || word == "unset" || word == "revert" || word == "revert-layer";
+// Of "255, 0, 0, 0" or "255 0 0 / 0%".
+bool is_transparent(std::string_view parts) {
+    std::size_t mark = parts.find('/');
+    if (mark == std::string_view::npos && std::count(parts.begin(), parts.end(), ',') == 3)
+        mark = parts.rfind(',');
+    if (mark == std::string_view::npos) return false;
+    NumberScanner scanner(parts.substr(mark + 1));
+    const auto alpha = scan_number(scanner);
+    return alpha && *alpha <= 0.0;
 }
-bool says_initial(std::string_view text) { return lower(text) == "initial"; }
 
 bool is_current_color(std::string_view text) { return lower(trimmed(text)) == "currentcolor"; }
 
@@ -236,8 +259,8 @@ void Declarations::set(Property property, const Value& value) {
     if (!mine || std::pair(value.weight, value.order) >= std::pair(mine->weight, mine->order)) mine = value;
 }
 
-void Declarations::set_variable(std::string_view name, const Value& value) {
-    const auto [mine, fresh] = variables_.try_emplace(std::string(name), value);
+void Declarations::set(Named& named, std::string_view name, const Value& value) {
+    const auto [mine, fresh] = named.try_emplace(std::string(name), value);
     if (!fresh && std::pair(value.weight, value.order) >= std::pair(mine->second.weight, mine->second.order))
         mine->second = value;
 }
@@ -263,8 +286,11 @@ void Declarations::set_all(std::string_view list, int weight, std::uint32_t orde
         if (colon == std::string_view::npos) return;
         const std::string_view name = trimmed(one.substr(0, colon));
         const std::string_view value = one.substr(colon + 1);
-        if (name.starts_with("--")) return set_variable(name, weighed(value, weight, order));
-        if (const auto property = find_property(lower(name))) set(*property, value, weight, order);
+        if (name.starts_with("--")) return set(variables_, name, weighed(value, weight, order));
+        const std::string word = lower(name);
+        if (const auto property = find_property(word)) return set(*property, value, weight, order);
+        if (among(kGeometry, word) || among(kNotRead, word))
+            set(others_, word, weighed(value, weight, order));
     });
 }
 
@@ -272,7 +298,8 @@ void Declarations::add(const Declarations& other) {
     for (std::size_t i = 0; i < kProperties; ++i) {
         if (other.values_.at(i)) set(static_cast<Property>(i), *other.values_.at(i));
     }
-    for (const auto& [name, value] : other.variables_) set_variable(name, value);
+    for (const auto& [name, value] : other.variables_) set(variables_, name, value);
+    for (const auto& [name, value] : other.others_) set(others_, name, value);
 }
 
 const std::string* Declarations::find(Property property) const {
@@ -284,6 +311,32 @@ VariableTexts Declarations::variables() const {
     VariableTexts texts;
     for (const auto& [name, value] : variables_) texts.emplace_hint(texts.end(), name, value.text);
     return texts;
+}
+
+std::vector<std::pair<std::string_view, std::string_view>> Declarations::geometry() const {
+    std::vector<std::pair<std::string_view, std::string_view>> found;
+    for (const auto& [name, value] : others_) {
+        std::string_view text = value.text;
+        if (!among(kGeometry, name) || says_inherit(text) || says_initial(text) || text == "auto") continue;
+        if (name == "d") {  // path("M0 0h9")
+            const std::size_t begin = text.find_first_of("\"'");
+            const std::size_t end = text.find_last_of("\"'");
+            if (!text.starts_with("path(") || begin == end) continue;
+            text = text.substr(begin + 1, end - begin - 1);
+        }
+        found.emplace_back(name, text);
+    }
+    return found;
+}
+
+std::vector<std::string_view> Declarations::not_read() const {
+    std::vector<std::string_view> found;
+    for (const auto& [name, value] : others_) {
+        const std::string word = lower(value.text);
+        const bool says = word != "none" && word != "view-box" && !says_inherit(word) && !says_initial(word);
+        if (says && among(kNotRead, name)) found.push_back(name);
+    }
+    return found;
 }
 
 std::vector<std::string> Declarations::put_in(const Variables& variables) {
@@ -308,7 +361,8 @@ void StyleSheet::add(std::string_view css) {
     while (!rest.empty()) {
         const std::size_t open = rest.find_first_of("{;");
         if (open == std::string_view::npos) return;
-        if (rest[open] == ';') {  // "@import …;"
+        if (rest[open] == ';') {
+            if (lower(trimmed(rest.substr(0, open))).starts_with("@import")) ++imports_;
             rest.remove_prefix(open + 1);
             continue;
         }
@@ -329,6 +383,8 @@ void StyleSheet::add(std::string_view css) {
 
 void StyleSheet::add_rule(std::string_view selectors, std::string_view body) {
     ++order_;
+    // Rules within rules.
+    if (body.find('{') != std::string_view::npos) ++not_read_;
     split(selectors, ",", [&](std::string_view selector) {
         const int weight = weight_of(selector);
         Declarations declarations;
@@ -376,13 +432,16 @@ Paint parse_paint(std::string_view text) {
         if (name == "rgb" || name == "rgba") color = parse_components(parts);
         if (name == "hsl" || name == "hsla") color = parse_hue(parts, false);
         if (name == "hwb") color = parse_hue(parts, true);
+        if (color && is_transparent(parts)) return {};
         return color ? Paint{Paint::Kind::color, *color} : Paint{Paint::Kind::other, {0, 0, 0}};
     }
     std::string_view plain = text;
-    // Transparency is disregarded: #rgba, #rrggbbaa.
-    if (plain.starts_with('#') && plain.size() == 5) plain = plain.substr(0, 4);
-    if (plain.starts_with('#') && plain.size() == 9) plain = plain.substr(0, 7);
+    // #rgba, #rrggbbaa
+    if (plain.starts_with('#') && (plain.size() == 5 || plain.size() == 9))
+        plain = plain.substr(0, plain.size() == 5 ? 4 : 7);
     const auto color = parse_color(plain);
+    const std::string_view alpha = text.substr(plain.size());
+    if (color && (alpha == "0" || alpha == "00")) return {};
     return color ? Paint{Paint::Kind::color, *color} : Paint{Paint::Kind::other, {0, 0, 0}};
 }
 
@@ -427,6 +486,7 @@ std::vector<std::string> Style::take(Declarations& declarations) {
         return length ? std::optional(std::clamp(*length, 0.0, 1.0)) : std::nullopt;
     };
     if (const auto own = share(Property::stroke_opacity)) stroke_opacity = *own;
+    if (const auto own = share(Property::fill_opacity)) fill_opacity = *own;
     // What it is drawn in fades as well.
     if (const auto own = share(Property::opacity)) opacity *= *own;
     // Not inherited: an element that is not displayed is not looked into.

@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "input/drawing/variables.h"
@@ -28,9 +29,12 @@ enum class Property {
     mask,
     opacity,
     stroke_opacity,
-    color
+    fill_opacity,
+    color,
+    transform,
+    transform_origin
 };
-inline constexpr std::size_t kProperties = 12;
+inline constexpr std::size_t kProperties = 15;
 // The property called `name` in CSS and as an attribute.
 std::optional<Property> find_property(std::string_view name);
 
@@ -43,8 +47,8 @@ class Declarations {
     // Takes `value` where no heavier one is there; of equal ones the later counts (by `order`). A value that
     // ends in "!important" outweighs all without it.
     void set(Property property, std::string_view value, int weight, std::uint32_t order);
-    // "stroke: red; fill: none; --fold: blue"; what is neither a property of ours nor a variable is
-    // disregarded.
+    // "stroke: red; fill: none; --fold: blue"; what is neither a property of ours, nor a variable, nor one of
+    // kGeometry and kNotRead is disregarded.
     void set_all(std::string_view list, int weight, std::uint32_t order);
     // Those of `other` are taken in the same way.
     void add(const Declarations& other);
@@ -52,6 +56,10 @@ class Declarations {
     // Custom properties, as they are written.
     [[nodiscard]] VariableTexts variables() const;
     [[nodiscard]] std::size_t variable_count() const { return variables_.size(); }
+    // Where a style sheet or style="…" places a shape: what it says of these, by name.
+    [[nodiscard]] std::vector<std::pair<std::string_view, std::string_view>> geometry() const;
+    // Its names of kNotRead, unless they say what holds without them.
+    [[nodiscard]] std::vector<std::string_view> not_read() const;
     // Puts variables into all values. A value that nothing can be put into is as if it were not there, but
     // for that of strokes, which stays as it is written. Returns the variables that are not set, which these
     // would have needed.
@@ -65,10 +73,18 @@ class Declarations {
     };
     static Value weighed(std::string_view value, int weight, std::uint32_t order);
     void set(Property property, const Value& value);
-    void set_variable(std::string_view name, const Value& value);
+    using Named = std::map<std::string, Value, std::less<>>;
+    static void set(Named& named, std::string_view name, const Value& value);
     std::array<std::optional<Value>, kProperties> values_;
-    std::map<std::string, Value, std::less<>> variables_;
+    Named variables_, others_;
 };
+
+// What SVG 2 calls geometry properties: each is an attribute, too, which it outweighs.
+inline constexpr std::array<std::string_view, 10> kGeometry{"x",  "y", "width", "height", "cx",
+                                                            "cy", "r", "rx",    "ry",     "d"};
+// What places shapes as well, and is not read.
+inline constexpr std::array<std::string_view, 5> kNotRead{"transform-box", "translate", "rotate", "scale",
+                                                          "offset-path"};
 
 // The rules of all style elements. Read are selectors of one element (*, tag, .class, #id, tag.class, :root);
 // others, such as "g > path", are counted.
@@ -79,12 +95,15 @@ class StyleSheet {
     void apply(std::string_view tag, std::string_view id, std::string_view classes, bool is_root,
                Declarations& declarations) const;
     [[nodiscard]] int not_read() const { return not_read_; }
+    // "@import …;": sheets in other files.
+    [[nodiscard]] int imports() const { return imports_; }
 
  private:
     void add_rule(std::string_view selectors, std::string_view body);
     std::map<std::string, Declarations, std::less<>> rules_;
     std::uint32_t order_ = 0;
     int not_read_ = 0;
+    int imports_ = 0;
 };
 
 struct Paint {
@@ -94,7 +113,7 @@ struct Paint {
     friend bool operator==(const Paint&, const Paint&) = default;
 };
 // What CSS Color 4 calls a colour of sRGB: names, #rgb and its like, rgb(), hsl() and hwb(), with commas or
-// without; how transparent it is is disregarded.
+// without. One that is wholly transparent is none; any other is taken as opaque.
 Paint parse_paint(std::string_view text);
 
 // How a shape is drawn; children of an element begin with its values.
@@ -111,8 +130,8 @@ struct Style {
     bool displayed = true;  // false for an element and all that is in it
     bool even_odd = false;
     double width = 1.0;  // of the stroke, in user units
-    // Of the stroke, 0 to 1: stroke-opacity, and opacity of the element and of all groups around it.
-    double stroke_opacity = 1.0, opacity = 1.0;
+    // 0 to 1; `opacity` is that of the element times those of all groups around it.
+    double stroke_opacity = 1.0, fill_opacity = 1.0, opacity = 1.0;
     Variables variables;
 
     // Takes what is declared for an element, after its variables were put in there. Returns those that would

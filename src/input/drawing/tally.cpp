@@ -54,6 +54,22 @@ void Tally::tell(bool strict, Diagnostics& diagnostics) const {
                 "set it, as <style>:root { --dashes: 3 1 }</style>, or give it a fallback: var(--dashes, 3 "
                 "1)");
     }
+    for (const auto& [name, row] : not_read_) {
+        diagnostics
+            .warning(
+                "style-ignored", row.first,
+                fmt::format("the property {} of {} element{} not read, so what it moves stays where it is",
+                            name, row.count, is(row.count)))
+            .hint("write the attribute transform instead, or let the drawing program apply it to the shapes");
+    }
+    for (const auto& [none, row] : fills_) {
+        diagnostics
+            .warning(
+                "fill-not-printed", row.first,
+                fmt::format("{} fill{} a gradient, a pattern or a colour that is not read, and not printed",
+                            row.count, is(row.count)))
+            .hint("fill the shape with one colour, written as #rrggbb");
+    }
     for (const auto& [tag, row] : unknown_) {
         diagnostics.add(
             strict ? Severity::error : Severity::warning, "unknown-markup", row.first,
@@ -63,6 +79,23 @@ void Tally::tell(bool strict, Diagnostics& diagnostics) const {
         diagnostics.remark("hidden-shape", row.first,
                            fmt::format("{} hidden element{} not cut", row.count, is(row.count)));
     }
+}
+
+void tell_style_sheets(const StyleSheet& sheet, std::string_view before, Place root,
+                       Diagnostics& diagnostics) {
+    if (sheet.imports() > 0 || before.find("<?xml-stylesheet") != std::string_view::npos) {
+        diagnostics
+            .warning("style-ignored", root,
+                     "the drawing has a style sheet in another file, which is not read: what it says of "
+                     "colours and dashes is missed")
+            .hint("let the drawing program write styles into the drawing");
+    }
+    if (sheet.not_read() == 0) return;
+    diagnostics
+        .warning("style-ignored", root,
+                 fmt::format("{} style {} not understood", sheet.not_read(),
+                             sheet.not_read() == 1 ? "rule is" : "rules are"))
+        .hint("rules for a single tag, .class or #id are read; write others as attributes");
 }
 
 }  // namespace popup::drawing

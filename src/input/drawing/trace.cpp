@@ -10,14 +10,17 @@
 #include <unordered_map>
 #include <utility>
 
+#include "input/drawing/conditions.h"
 #include "input/drawing/dashes.h"
 #include "input/drawing/fold_angles.h"
+#include "input/drawing/label.h"
 #include "input/drawing/notation.h"
 #include "input/drawing/shapes.h"
 #include "input/drawing/size.h"
 #include "input/drawing/style.h"
 #include "input/drawing/tally.h"
 #include "input/drawing/use_sizes.h"
+#include "input/drawing/viewport.h"
 #include "input/drawing/vocabulary.h"
 #include "input/text.h"
 #include "input/xml/encoding.h"
@@ -27,9 +30,6 @@ namespace popup::drawing {
 namespace {
 
 using xml::Offset;
-
-constexpr std::string_view kNamespace = "http://www.w3.org/2000/svg";
-constexpr double kCapHeight = 1493.0 / 2048.0;  // of DejaVu Sans' capitals, of its font size
 
 // What an element hands down to those in it.
 struct Context {
@@ -41,6 +41,7 @@ struct Context {
     Layer layer = Layer::none;
     int owner = 0;
     Said said;
+    std::optional<double> fold_deg;  // of all folds in it that do not say their own
 };
 
 // Elements [next, end) that are still to be looked at.
@@ -48,6 +49,8 @@ struct Frame {
     Offset next = 0, end = 0;
     Context context;
     Offset used = 0;  // the element that a use stands for; 0: none
+    WantedSize wanted = {};
+    bool one_of = false;  // the first that is drawn, and no other
 };
 
 class Tracer {
@@ -55,6 +58,7 @@ class Tracer {
     Tracer(const xml::Located& located, const ReadOptions& options, Diagnostics& diagnostics)
         : located_(located),
           strict_(options.strict),
+          folded_(options.drawing.as == DrawnAs::folded),
           rules_(options.drawing.lines),
           diagnostics_(diagnostics) {}
 
@@ -64,7 +68,7 @@ class Tracer {
         Context context;
         if (diagnostics_.has_errors_as_given() || !root(context)) return std::nullopt;
         active_.assign(located_.elements.size(), 0);
-        stack_.push_back({1, located_.elements[0].after, context, 0});
+        stack_.push_back({1, located_.elements[0].after, context});
         while (!stack_.empty() && !stopped_) step();
         tally_.tell(strict_, diagnostics_);
         rules_.tell_unused(out_.lines, diagnostics_);
@@ -77,25 +81,16 @@ class Tracer {
     // --- before the walk
 
     bool find_prefix() {
-        const std::string_view name = located_.name(0);
-        const std::size_t colon = name.find(':');
-        const std::string_view local = colon == std::string_view::npos ? name : name.substr(colon + 1);
-        if (local == "svg" && colon == std::string_view::npos) return true;
-        if (local == "svg") {
-            const std::string wanted = "xmlns:" + std::string(name.substr(0, colon));
-            for (std::size_t i = 0; i < attributes_end(0); ++i) {
-                const xml::LocatedAttribute& a = located_.attributes[i];
-                if (text(a.name, a.name_length) == wanted && text(a.value, a.value_length) == kNamespace) {
-                    prefix_ = name.substr(0, colon + 1);
-                    return true;
-                }
-            }
+        const auto prefix = svg_prefix(located_);
+        if (!prefix) {
+            diagnostics_
+                .error("wrong-root", located_.elements[0].place,
+                       fmt::format("the root element is <{}>, not <svg>", shown(located_.name(0))))
+                .hint("--from xml reads a popup document whatever its name");
+            return false;
         }
-        diagnostics_
-            .error("wrong-root", located_.elements[0].place,
-                   fmt::format("the root element is <{}>, not <svg>", shown(name)))
-            .hint("--from xml reads a popup document whatever its name");
-        return false;
+        prefix_ = *prefix;
+        return true;
     }
 
     [[nodiscard]] std::string_view text(Offset begin, Offset length) const {
@@ -126,27 +121,29 @@ class Tracer {
             if (tag_of(i) != "style") continue;
             const auto tree = xml::Tree::parse(located_, i, xml::Tree::Extent::shell, diagnostics_);
             if (!tree) return;
+            const Attributes attributes(tree->root().attributes());
+            if (!is_style_for_us(attributes.value("media"), attributes.value("type"))) continue;
             for (const xml::Text& part : tree->root().texts()) {
                 sheet_.add(part.decoded);
                 hides = hides || part.decoded.find("display") != std::string_view::npos;
             }
         }
         if (!hides) use_sizes_.emplace(located_, prefix_, ids_);
-        if (sheet_.not_read() > 0) {
-            diagnostics_
-                .warning("style-ignored", located_.elements[0].place,
-                         fmt::format("{} style {} not understood", sheet_.not_read(),
-                                     sheet_.not_read() == 1 ? "rule is" : "rules are"))
-                .hint("rules for a single tag, .class or #id are read; write others as attributes");
-        }
+        tell_style_sheets(sheet_, located_.text.substr(0, located_.elements[0].begin),
+                          located_.elements[0].place, diagnostics_);
     }
 
     // Finds out what a unit of the drawing is.
     bool root(Context& context) {
         const auto tree = xml::Tree::parse(located_, 0, xml::Tree::Extent::tag, diagnostics_);
         if (!tree) return false;
-        const Attributes attributes(tree->root().attributes(), entities_, located_.text);
+        Attributes attributes(tree->root().attributes(), entities_, located_.text);
         const Place place = located_.elements[0].place;
+        Declarations declared = declarations("svg", attributes, true);
+        for (const auto& [name, value] : declared.geometry()) {
+            // On a page it may fill what is around it.
+            if (!value.ends_with('%')) attributes.put(name, value, place);
+        }
         const auto size = [&](std::string_view name) -> double {
             const std::string_view value = attributes.value(name);
             if (value.empty() || value == "auto" || value.ends_with('%')) return 0.0;
@@ -186,7 +183,7 @@ class Tracer {
         context.to_mm = {k, 0.0, 0.0, -k, 0.0, k * height};
         if (box) context.to_mm = context.to_mm.after(fitted(*box, width, height, preserve));
         context.view = box ? Vec2{box->width, box->height} : Vec2{width, height};
-        Declarations declared = declarations("svg", attributes, true);
+        if (declared.find(Property::transform) != nullptr) tally_.not_read("transform", place);
         return take_style(declared, place, context);
     }
 
@@ -223,10 +220,17 @@ class Tracer {
             stopped_ = true;
             return;
         }
-        const Attributes attributes(tree->root().attributes(), entities_, located_.text);
+        Attributes attributes(tree->root().attributes(), entities_, located_.text);
+        if (!conditions_hold(attributes)) {
+            if (kind != Role::skipped) tally_.hidden(at.place);
+            return;
+        }
+        if (stack_.back().one_of) stack_.back().next = stack_.back().end;
         Context context = around;
         Declarations declared = declarations(tag, attributes, false);
         if (!take_style(declared, at.place, context)) return;
+        for (const auto& [name, value] : declared.geometry()) attributes.put(name, value, at.place);
+        for (const std::string_view name : declared.not_read()) tally_.not_read(name, at.place);
         const std::string_view caption = attributes.value("inkscape:label");
         rules_.follow({caption, attributes.value("class"), attributes.value("id")}, context.said,
                       tag == "g" && caption.empty() ? 3 : 2);
@@ -235,7 +239,8 @@ class Tracer {
             const std::string* value = declared.find(property);
             if (value != nullptr && *value != "none") tally_.clipped(at.place);
         }
-        if (!apply_transform(attributes, context)) return;
+        if (!apply_transform(declared, attributes, at.place, context)) return;
+        if (kind != Role::shape && !inherit_angle(attributes, context)) return;
         switch (kind) {
             case Role::shape:
                 return shape(tag, attributes, at.place, context);
@@ -279,18 +284,34 @@ class Tracer {
         return all;
     }
 
-    bool apply_transform(const Attributes& attributes, Context& context) {
-        const xml::Attribute* transform = attributes.find("transform");
+    bool apply_transform(const Declarations& declared, const Attributes& attributes, Place place,
+                         Context& context) {
+        const std::string* transform = declared.find(Property::transform);
         if (transform == nullptr) return true;
-        if (const auto map = parse_transform(transform->value.decoded)) {
-            context.to_mm = context.to_mm.after(*map);
+        const std::string* about = declared.find(Property::transform_origin);
+        const auto map = parse_transform(*transform);
+        const auto origin = about == nullptr ? std::optional(Vec2{}) : parse_origin(*about, context.view);
+        if (map && origin) {
+            const Affine there{1.0, 0.0, 0.0, 1.0, origin->x, origin->y};
+            const Affine back{1.0, 0.0, 0.0, 1.0, -origin->x, -origin->y};
+            context.to_mm = context.to_mm.after(there.after(*map).after(back));
             return true;
         }
-        diagnostics_
-            .error("bad-transform", transform->place,
-                   fmt::format("the transform \"{}\" cannot be read", shown(transform->value.decoded)))
-            .hint("it is a list of matrix, translate, scale, rotate, skewX and skewY");
+        const xml::Attribute* attribute = attributes.find(map ? "transform-origin" : "transform");
+        Diagnostic& told = diagnostics_.error(
+            "bad-transform", attribute == nullptr ? place : attribute->place,
+            fmt::format("the {} \"{}\" cannot be read", map ? "transform-origin" : "transform",
+                        shown(map ? *about : *transform)));
+        told.hint(map ? "it is two lengths, such as 10 20"
+                      : "it is a list of matrix, translate, scale, rotate, skewX and skewY");
         return false;
+    }
+
+    bool inherit_angle(const Attributes& attributes, Context& context) {
+        std::optional<ShapeProblem> problem;
+        context.fold_deg = inherited_angle(attributes, context.fold_deg, problem);
+        if (problem) tell(*problem);
+        return !problem;
     }
 
     // False: uses stand for too much.
@@ -319,14 +340,13 @@ class Tracer {
         if (tag == "g") {
             if (const int name = add_name(attributes.value("id")); name >= 0) context.group = name;
             read_layer(element, attributes, context);
-        } else if (tag == "svg" && !new_viewport(attributes, context.view, context)) {
-            return;
+        } else if (tag == "svg") {
+            const Frame& frame = stack_.back();
+            if (!new_viewport(attributes, frame.used == element ? frame.wanted : WantedSize{}, context))
+                return;
         }
-        push(element, context);
-    }
-
-    void push(Offset element, const Context& context) {
-        stack_.push_back({element + 1, located_.elements[element].after, context, 0});
+        stack_.push_back({element + 1, located_.elements[element].after, context});
+        stack_.back().one_of = tag == "switch";
     }
 
     // Whose the lines are, in a sheet that this program has made.
@@ -351,31 +371,14 @@ class Tracer {
         context.owner = row->second;
     }
 
-    // An svg element inside another, or a symbol: a picture of its own in a rectangle.
-    bool new_viewport(const Attributes& attributes, Vec2 size, Context& context) {
+    // False: nothing is drawn in it.
+    bool new_viewport(const Attributes& attributes, const WantedSize& wanted, Context& context) {
         std::optional<ShapeProblem> problem;
-        const double x = length_of(attributes, "x", context.view.x, 0.0, problem);
-        const double y = length_of(attributes, "y", context.view.y, 0.0, problem);
-        const double width = length_of(attributes, "width", context.view.x, size.x, problem);
-        const double height = length_of(attributes, "height", context.view.y, size.y, problem);
-        const xml::Attribute* given = attributes.find("viewBox");
-        const auto box = given == nullptr ? std::nullopt : parse_view_box(given->value.decoded);
-        if (given != nullptr && !box && !problem) {
-            problem =
-                ShapeProblem{given, "bad-number",
-                             fmt::format("the viewBox is \"{}\"", shown(given->value.decoded)), std::nullopt};
-        }
-        if (problem) {
-            tell(*problem);
-            return false;
-        }
-        context.to_mm = context.to_mm.after({1.0, 0.0, 0.0, 1.0, x, y});
-        context.view = {width, height};
-        if (box && width > 0.0 && height > 0.0) {
-            context.to_mm =
-                context.to_mm.after(fitted(*box, width, height, attributes.value("preserveAspectRatio")));
-            context.view = {box->width, box->height};
-        }
+        const auto made = viewport_of(attributes, context.view, wanted, problem);
+        if (problem) tell(*problem);
+        if (!made) return false;
+        context.to_mm = context.to_mm.after(made->from_inside);
+        context.view = made->view;
         return true;
     }
 
@@ -404,8 +407,11 @@ class Tracer {
         std::optional<ShapeProblem> problem;
         const Vec2 at{length_of(attributes, "x", context.view.x, 0.0, problem),
                       length_of(attributes, "y", context.view.y, 0.0, problem)};
-        const Vec2 size{length_of(attributes, "width", context.view.x, context.view.x, problem),
-                        length_of(attributes, "height", context.view.y, context.view.y, problem)};
+        const auto wanted = [&](std::string_view name, double whole) {
+            const double length = length_of(attributes, name, whole, HUGE_VAL, problem);
+            return std::isfinite(length) ? std::optional(length) : std::nullopt;
+        };
+        const WantedSize size{wanted("width", context.view.x), wanted("height", context.view.y)};
         if (problem) return tell(*problem);
         context.to_mm = context.to_mm.after({1.0, 0.0, 0.0, 1.0, at.x, at.y});
         if (const int name = add_name(name_of(attributes)); name >= 0) context.instance = name;
@@ -417,7 +423,7 @@ class Tracer {
         }
         active_[element] = 1;
         ++uses_;
-        stack_.push_back({element, located_.elements[element].after, context, element});
+        stack_.push_back({element, located_.elements[element].after, context, element, size});
     }
 
     void shape(std::string_view tag, const Attributes& attributes, Place place, const Context& context) {
@@ -445,7 +451,7 @@ class Tracer {
         if (flat_.lines.empty()) return;
         std::vector<Polyline> lines = std::exchange(flat_.lines, {});
         std::optional<ShapeProblem> problem;
-        fold_angles_ = fold_angles(attributes, lines.size(), path, problem);
+        fold_angles_ = fold_angles(attributes, lines.size(), path, context.fold_deg, problem);
         if (problem) return tell(*problem);
         out_.elements.push_back(
             {context.instance >= 0 ? name_at(context.instance) : short_name(name_of(attributes)),
@@ -484,6 +490,8 @@ class Tracer {
         fill.even_odd = context.style.even_odd;
         fill.without_stroke = without_stroke;
         fill.color = context.style.fill.color;
+        fill.is_printed = context.style.fill.kind == Paint::Kind::color;
+        if (!fill.is_printed) tally_.fill(out_.elements.back().place);
         fill.element = static_cast<int>(out_.elements.size()) - 1;
         fill.owner = context.owner;
         out_.fills.push_back(std::move(fill));
@@ -508,8 +516,11 @@ class Tracer {
 
     void add_by_style(std::vector<Polyline>&& lines, const Context& context) {
         const Style& style = context.style;
-        const bool filled = style.fill.kind != Paint::Kind::none;
-        if (style.stroke.kind == Paint::Kind::none) {
+        const bool filled = style.fill.kind != Paint::Kind::none && style.opacity * style.fill_opacity > 0.0;
+        // Of folded sheets opacity says how far lines are folded.
+        const bool stroked =
+            style.stroke.kind != Paint::Kind::none && (folded_ || style.opacity * style.stroke_opacity > 0.0);
+        if (!stroked) {
             if (!filled) {
                 ++out_.invisible;
                 return;
@@ -521,8 +532,7 @@ class Tracer {
             return add_lines(std::move(lines), Use::shape, context);
         }
         const Use use = use_of(style);
-        if (use == Use::cut && filled && style.fill_written && style.fill.kind == Paint::Kind::color)
-            add_fill(lines, false, context);
+        if (use == Use::cut && filled && style.fill_written) add_fill(lines, false, context);
         add_lines(std::move(lines), use, context);
         // Gradients are no colours of lines that are to be folded.
         if (style.stroke.kind == Paint::Kind::other && out_.lines.back().named == Named::nothing &&
@@ -530,24 +540,11 @@ class Tracer {
             tally_.color(style.stroke_text, out_.elements.back().place);
     }
 
-    // A text of a sheet that this program has made: set about its middle, turned about it.
     void label(Offset element, const Attributes& attributes, const Context& context) {
         const auto tree = xml::Tree::parse(located_, element, xml::Tree::Extent::shell, diagnostics_);
-        std::optional<ShapeProblem> problem;
-        const double x = length_of(attributes, "x", 0.0, HUGE_VAL, problem);
-        const double y = length_of(attributes, "y", 0.0, HUGE_VAL, problem);
-        const double size = length_of(attributes, "font-size", 0.0, 0.0, problem);
-        if (!tree || problem) return tally_.skipped("text", located_.elements[element].place);
-        const std::vector<xml::Text> words = tree->root().texts();
-        const double cap = kCapHeight * size;
-        const Vec2 at = context.to_mm({x, y - 0.5 * cap});
-        const Vec2 along = context.to_mm({x + 1.0, y - 0.5 * cap}) - at;
-        const double height = cap * length(along);
-        const bool sound = std::abs(at.x) <= kReachMm && std::abs(at.y) <= kReachMm && height > 0.0 &&
-                           height <= kReachMm && words.size() == 1;
-        if (!sound) return tally_.skipped("text", located_.elements[element].place);
-        out_.texts.push_back(
-            {{short_name(words[0].decoded), at, height, std::atan2(along.y, along.x)}, context.owner});
+        auto text = tree ? label_of(tree->root(), attributes, context.to_mm) : std::nullopt;
+        if (!text) return tally_.skipped("text", located_.elements[element].place);
+        out_.texts.push_back({*std::move(text), context.owner});
     }
 
     // --- findings
@@ -557,7 +554,7 @@ class Tracer {
         // An exact place costs a pass over the text: not for the hundredth mistake.
         constexpr int kExactPlaces = 10;
         const TextRange raw = problem.attribute->value.raw;
-        if (problem.at && *problem.at <= raw.length && exact_places_++ < kExactPlaces &&
+        if (problem.at && raw.present() && *problem.at <= raw.length && exact_places_++ < kExactPlaces &&
             located_.text.substr(raw.offset, raw.length).find_first_of("&\r") == std::string_view::npos)
             place = xml::PlaceCounter(located_.text).at(raw.offset + *problem.at);
         diagnostics_.error(problem.code, place, problem.message);
@@ -566,7 +563,7 @@ class Tracer {
 
     const xml::Located& located_;
     Entities entities_{located_.text.substr(0, located_.elements[0].begin)};
-    bool strict_;
+    bool strict_, folded_;
     LineRules rules_;
     Diagnostics& diagnostics_;
     std::string_view prefix_;

@@ -20,8 +20,13 @@ struct Affine {
     [[nodiscard]] double growth() const { return std::sqrt(std::abs(a * d - b * c)); }
 };
 
-// A list of matrix, translate, scale, rotate, skewX and skewY; the first is done last. Nullopt when the text
-// is anything else. Values may be infinite.
+// A list of matrix, translate, scale, rotate, skewX and skewY, and of what CSS has beside these: translateX,
+// translateY, scaleX, scaleY and skew, and units of lengths and angles. The first is done last. Nullopt when
+// the text is anything else. Values may be infinite.
 std::optional<Affine> parse_transform(std::string_view text);
+
+// About which point a transform is done: lengths, shares of `view` in percent, or left, right, top, bottom
+// and center. One that is missing is the middle (CSS Transforms 1, 8). Nullopt when it is none.
+std::optional<Vec2> parse_origin(std::string_view text, Vec2 view);
 
 }  // namespace popup::drawing

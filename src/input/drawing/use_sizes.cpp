@@ -29,7 +29,11 @@ std::string_view UseSizes::tag_of(Offset element) const {
 }
 
 bool UseSizes::may_be_hidden(Offset element) const {
-    return !attribute(element, "display").empty() ||
+    // Of a switch one element is drawn, and where conditions do not hold, none.
+    for (const std::string_view condition : {"requiredExtensions", "systemLanguage"}) {
+        if (!attribute(element, condition).empty()) return true;
+    }
+    return tag_of(element) == "switch" || !attribute(element, "display").empty() ||
            attribute(element, "style").find("none") != std::string_view::npos;
 }
 

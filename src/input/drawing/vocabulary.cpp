@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <string>
 #include <utility>
 
 #include "input/drawing/shapes.h"
@@ -51,6 +52,25 @@ Role role_of(std::string_view tag) {
     if (tag == "use") return Role::use;
     if (among(kSkipped, tag)) return Role::skipped;
     return among(kSilent, tag) ? Role::silent : Role::unknown;
+}
+
+std::optional<std::string_view> svg_prefix(const xml::Located& located) {
+    constexpr std::string_view kNamespace = "http://www.w3.org/2000/svg";
+    const std::string_view name = located.name(0);
+    const std::size_t colon = name.find(':');
+    if (colon == std::string_view::npos)
+        return name == "svg" ? std::optional(name.substr(0, 0)) : std::nullopt;
+    if (name.substr(colon + 1) != "svg") return std::nullopt;
+    const std::string wanted = "xmlns:" + std::string(name.substr(0, colon));
+    const std::size_t end =
+        located.elements.size() > 1 ? located.elements[1].first_attribute : located.attributes.size();
+    for (std::size_t i = 0; i < end; ++i) {
+        const xml::LocatedAttribute& a = located.attributes[i];
+        if (located.text.substr(a.name, a.name_length) == wanted &&
+            located.text.substr(a.value, a.value_length) == kNamespace)
+            return name.substr(0, colon + 1);
+    }
+    return std::nullopt;
 }
 
 Layer layer_named(std::string_view name) {

@@ -1,9 +1,11 @@
 // The words of drawings: what elements are to the reader, and the notation of lines.
 #pragma once
 
+#include <optional>
 #include <string_view>
 
 #include "input/drawing/style.h"
+#include "input/xml/locate.h"
 #include "parts/tracing.h"
 
 namespace popup::drawing {
@@ -17,6 +19,9 @@ enum class Role {
     unknown,
 };
 Role role_of(std::string_view tag);
+
+// What stands before the names of a drawing's elements, "" or such as "svg:". Nullopt if its root is no svg.
+std::optional<std::string_view> svg_prefix(const xml::Located& located);
 
 // The layers of a sheet that this program writes (output/sheet_drawing.h); `machine`: one that a profile
 // names.

@@ -349,7 +349,7 @@ class CardMaker {
     void add_prints(const std::vector<const TracedLine*>& printed) {
         constexpr Color kPaper{255, 255, 255};
         for (const TracedFill& fill : tracing_.fills) {
-            if (fill.color == kPaper || fill.owner > 0) continue;
+            if (fill.color == kPaper || fill.owner > 0 || !fill.is_printed) continue;
             std::vector<Polygon> shape;
             for (const Polygon& part :
                  filled(fill.rings, fill.even_odd ? FillRule::even_odd : FillRule::non_zero)) {

@@ -337,7 +337,7 @@ class DesignMaker {
 
     void add_area(const TracedFill& fill) {
         constexpr Color kPaper{255, 255, 255};
-        if (fill.color == kPaper || fill.owner > 0) return;
+        if (fill.color == kPaper || fill.owner > 0 || !fill.is_printed) return;
         DrawnArea area;
         area.fill = fill.color;
         area.shape.moved = true;

@@ -467,7 +467,7 @@ TEST(Drawing, FoldsGoAsFarAsTheirElementSays) {
               "mountain 60, mountain 90"},
              {"<line stroke='#ff0000' x1='10' y1='0' x2='10' y2='90' data-fold-angle='45'/>", "mountain 45"},
              {"<g data-fold-angle='45'><path class='valley' stroke='#f0f' " + two + "/></g>",
-              "valley, valley"},
+              "valley 45, valley 45"},
              // Each side of what has straight ones alone: of a rectangle from its corner along x.
              {"<rect class='fold' stroke='#f0f' fill='none' x='20' y='20' width='40' height='30' "
               "data-fold-angle='90 -80 auto 70'/>",
