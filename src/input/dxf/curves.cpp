@@ -34,13 +34,16 @@ class Spans {
     Spans(const Spline& spline, double tolerance) : spline_(spline), tolerance_(tolerance) {}
 
     void add_to(Path& path) {
-        const int degree = spline_.degree;
-        bool begun = false;
-        for (std::size_t span = at(degree); span < spline_.controls.size(); ++span) {
+        const std::size_t degree = at(spline_.degree);
+        std::size_t before = 0;  // the last span that is one; 0: none
+        for (std::size_t span = degree; span < spline_.controls.size(); ++span) {
             if (!(spline_.knots[span] < spline_.knots[span + 1])) continue;
             take(span);
-            if (!begun) path.move(bezier_.front().point());
-            begun = true;
+            // Where more knots than its degree lie on one another, it may begin anew elsewhere.
+            const Vec2 from = bezier_.front().point();
+            const bool anew = span - before > degree && distance(from, path.at()) > tolerance_;
+            if (before == 0 || anew) path.move(from);
+            before = span;
             append(path);
             if (path.size() > kStepsLimit) return;
         }

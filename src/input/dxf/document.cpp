@@ -143,9 +143,16 @@ class DocumentReader {
         if (record_.kind() == "LTYPE") linetype_row();
     }
 
+    // AutoCAD never plots what is on this one.
+    static constexpr std::string_view kDefpoints = "defpoints";
+
     int layer_named(std::string_view name) {
         const auto [row, fresh] = layers_.try_emplace(key_of(name), static_cast<int>(out_.layers.size()));
-        if (fresh) out_.layers.emplace_back().name = names_.decoded(name);
+        if (fresh) {
+            Layer& layer = out_.layers.emplace_back();
+            layer.name = names_.decoded(name);
+            layer.off = row->first == kDefpoints;
+        }
         return row->second;
     }
 
@@ -162,8 +169,6 @@ class DocumentReader {
         const int color = record_.whole(62, kForeground);
         layer.color = std::abs(color);
         layer.rgb = true_color(record_);
-        // AutoCAD never plots what is on this one.
-        constexpr std::string_view kDefpoints = "defpoints";
         layer.off = color < 0 || record_.whole(290, 1) == 0 || key_of(name) == kDefpoints;
         layer.frozen = (record_.whole(70) & kFrozenLayer) != 0;
         layer.linetype = std::max(0, linetype_named(record_.text(6, "continuous")));

@@ -273,6 +273,24 @@ TEST(DxfEntities, CubicSplinesStayCurves) {
     expect_at(one.line().points.at(whole.steps[0].to), 60, 10);
 }
 
+TEST(DxfEntities, SplinesBeginAnewWhereKnotsSayIt) {
+    const std::vector<Vec2> apart{{10, 10}, {20, 20}, {50, 20}, {60, 10}};
+    const Traced lines = entities(Nurbs{1, {0, 0, 1, 1, 2, 2}, apart, {}}.text());
+    ASSERT_TRUE(lines.tracing) << lines.told;
+    ASSERT_EQ(lines.tracing->lines.size(), 2U);
+    expect_at(lines.tracing->lines[0].points.back(), 20, 20);
+    expect_at(lines.tracing->lines[1].points.front(), 50, 20);
+    const std::vector<Vec2> curves{{0, 0}, {10, 30}, {20, 0}, {40, 0}, {50, 30}, {60, 0}};
+    const Traced two = entities(Nurbs{2, {0, 0, 0, 1, 1, 1, 2, 2, 2}, curves, {}}.text());
+    ASSERT_TRUE(two.tracing) << two.told;
+    EXPECT_EQ(two.tracing->lines.size(), 2U);
+    // One that goes on where it was is one line.
+    const std::vector<Vec2> on{{0, 0}, {10, 30}, {20, 0}, {20, 0}, {50, 30}, {60, 0}};
+    const Traced one = entities(Nurbs{2, {0, 0, 0, 1, 1, 1, 2, 2, 2}, on, {}}.text());
+    ASSERT_TRUE(one.tracing) << one.told;
+    EXPECT_EQ(one.tracing->lines.size(), 1U);
+}
+
 TEST(DxfEntities, SplinesThroughPointsGoThroughThem) {
     const Traced open =
         entities("0 SPLINE|8 0|70 8|71 3|74 4|11 0|21 0|11 20|21 30|11 50|21 25|11 80|21 0|12 0|22 1");
