@@ -12,23 +12,20 @@
 #include "assembly/folded_sheets.h"
 #include "base/nth.h"
 #include "folded/carton/closing_angles.h"
-#include "folded/carton/panel_measures.h"
+#include "folded/carton/drawn_folds.h"
 #include "folded/carton/web_corners.h"
 
 namespace popup::folded {
 namespace {
 
-constexpr double kParallel = 0.02;  // sine of the angle between folds that are called parallel
-constexpr double kAsLong = 0.6;     // of the first wall: so long are the folds between the walls
-constexpr double kFull = 0.6;       // of its width and height: a wall has more area
-constexpr double kNarrow = 0.5;     // of the narrowest wall: a glue flap is narrower
+constexpr double kAsLong = 0.6;  // of the first wall: so long are the folds between the walls
+constexpr double kFull = 0.6;    // of its width and height: a wall has more area
+constexpr double kNarrow = 0.5;  // of the narrowest wall: a glue flap is narrower
 constexpr double kOddNarrow = 0.9;
 constexpr double kCloses = 0.85;        // of the depth of the box: what is as deep closes it
 constexpr double kLockShare = 0.1;      // of the panel that it hangs on: a lock is smaller
 constexpr double kAsLargeAsBase = 0.7;  // a lid
 constexpr double kRim = 0.3;            // of the height of a wall: what is between it and its lining is less
-constexpr double kUprightDeg = 170.0;   // a fold that is drawn folded by more stands on nothing
-constexpr double kGussetDeg = 10.0;     // one by less parts a wall
 constexpr double kOblique = 0.3;        // sine and cosine of what is neither along nor across
 constexpr double kAsWide = 0.08;        // walls of a ring differ by less: by boards
 constexpr double kAsHigh = 0.15;
@@ -36,15 +33,10 @@ constexpr double kAsLarge = 0.01;   // areas that differ by less are one
 constexpr double kBaseShare = 0.5;  // of the largest panel: a base has more
 constexpr std::size_t kMostWalls = 64;
 
-class Namer : private PanelMeasures {
+class Namer : private DrawnFolds {
  public:
     Namer(const CreasePattern& pattern, const Sheet& sheet, const Tree& tree)
-        : PanelMeasures(sheet),
-          pattern_(pattern),
-          sheet_(sheet),
-          tree_(tree),
-          folds_(folds_by_panel(sheet)),
-          names_(sheet.panels.size()) {
+        : DrawnFolds(pattern, sheet), sheet_(sheet), tree_(tree), names_(sheet.panels.size()) {
         panels_of_.resize(sheet.cuts.size());
         for (const int panel : tree.order) nth(panels_of_, nth(sheet.panels, panel).piece).push_back(panel);
     }
@@ -82,7 +74,7 @@ class Namer : private PanelMeasures {
     struct Tube {
         std::vector<Wall> walls;  // without the glue flap
         Vec2 along;
-        double front = 1.0;       // as front_
+        double front = 1.0;       // as look_from() has it
         int glue_flap = -1;       // panel
         bool glue_first = false;  // it is before the first wall
         bool is_ring = false;
@@ -95,15 +87,15 @@ class Namer : private PanelMeasures {
         // A box may be drawn from its inside or from its outside, as valleys or as mountains.
         std::optional<Tube> tube;
         for (const double front : {1.0, -1.0}) {
-            front_ = front;
+            look_from(front);
             for (const int panel : panels) {
                 for (const Vec2 dir : directions_of(panel)) consider(panel, dir, root, tube);
             }
         }
-        if (tube) front_ = tube->front;
+        if (tube) look_from(tube->front);
         bool is_carton = tube && tube->is_ring && !is_mailer(*tube);
         for (const double front : {1.0, -1.0}) {
-            front_ = front;
+            look_from(front);
             is_carton = is_carton || name_tray(panels);
             if (is_carton) break;
         }
@@ -134,47 +126,6 @@ class Namer : private PanelMeasures {
         const int fold = nth(tree_.fold_of, panel);
         return fold < 0 ? -1 : other_side(fold, panel);
     }
-    // 1 of valleys, -1 of mountains: as they are drawn, however far they are folded.
-    [[nodiscard]] double sense(const Fold& fold) const {
-        const CreaseUse use = nth(pattern_.lines, fold.line).use;
-        if (use == CreaseUse::valley) return 1.0;
-        if (use == CreaseUse::mountain) return -1.0;
-        return fold.target < 0.0 ? -1.0 : fold.target > 0.0 ? 1.0 : 0.0;
-    }
-    [[nodiscard]] double drawn_deg(const Fold& fold) const {
-        return nth(pattern_.lines, fold.line).fold_deg.value_or(fold.target == 0.0 ? 0.0 : 90.0);
-    }
-    enum class Folded {
-        up,      // to the front, and not flat: a box's walls are
-        over,    // to the front, and perhaps flat: hems
-        gusset,  // what parts a wall: to the back, and flat in the end
-    };
-    [[nodiscard]] bool is_folded(int fold, Folded how) const {
-        const Fold& one = nth(sheet_.folds, fold);
-        if (how == Folded::gusset) return sense(one) == -front_ && drawn_deg(one) < kGussetDeg;
-        return sense(one) == front_ && (how == Folded::over || drawn_deg(one) < kUprightDeg);
-    }
-
-    // The longest fold of a panel that is parallel to `along`, `length` long at least, on the side of
-    // `across` beyond its middle; -1 for none.
-    [[nodiscard]] int fold_on(int panel, Vec2 along, Vec2 across, double least, int but,
-                              Folded how = Folded::up) const {
-        const Vec2 reach = extent(panel, across);
-        int best = -1;
-        double longest = least;
-        for (const int number : nth(folds_, panel)) {
-            if (number == but || !is_folded(number, how)) continue;
-            const Segment line = sheet_.line_of(nth(sheet_.folds, number));
-            const Vec2 way = line.b - line.a;
-            if (std::abs(cross(along, way)) > kParallel * length(way)) continue;
-            if (dot(across, line.a) < 0.5 * (reach.x + reach.y)) continue;
-            if (length(way) < longest * (1.0 + 1e-9)) continue;
-            longest = length(way);
-            best = number;
-        }
-        return best;
-    }
-
     [[nodiscard]] bool is_full(int panel, Vec2 along, Vec2 across) const {
         return area_of(panel) >= kFull * width_of(panel, across) * width_of(panel, along);
     }
@@ -216,19 +167,6 @@ class Namer : private PanelMeasures {
         return walls;
     }
 
-    // A direction for each set of parallel folds of a panel, upwards, or to the right.
-    [[nodiscard]] std::vector<Vec2> directions_of(int panel) const {
-        std::vector<Vec2> found;
-        for (const int number : nth(folds_, panel)) {
-            const Segment line = sheet_.line_of(nth(sheet_.folds, number));
-            Vec2 dir = unit(line.b - line.a);
-            if (dir.y < -kParallel || (dir.y < kParallel && dir.x < 0.0)) dir = -dir;
-            const auto like = [&](Vec2 other) { return std::abs(cross(dir, other)) <= kParallel; };
-            if (std::none_of(found.begin(), found.end(), like)) found.push_back(dir);
-        }
-        return found;
-    }
-
     // Of rings rather one with a glue flap, then the larger one; else what is around the root is best.
     [[nodiscard]] static bool is_better(const Tube& one, const Tube& other) {
         if (one.is_ring != other.is_ring) return one.is_ring;
@@ -239,7 +177,7 @@ class Namer : private PanelMeasures {
     void consider(int first, Vec2 along, int root, std::optional<Tube>& best) const {
         Tube tube;
         tube.along = along;
-        tube.front = front_;
+        tube.front = front();
         tube.walls = walls_along(first, along);
         if (tube.walls.size() < 4) return;
         for (const Wall& wall : tube.walls) tube.area += area_of(wall.panel);
@@ -261,7 +199,7 @@ class Namer : private PanelMeasures {
         // Walls that go around are even in number mostly, so that one too many is to be glued.
         const double narrow = walls.size() % 2 == 1 ? kOddNarrow : kNarrow;
         for (const std::size_t end : {walls.size() - 1, std::size_t{0}}) {
-            if (nth(folds_, walls[end].panel).size() != 1) continue;
+            if (folds_of(walls[end].panel).size() != 1) continue;
             if (walls[end].width >= narrow * narrowest_but(end)) continue;
             tube.glue_flap = walls[end].panel;
             tube.glue_first = end == 0;
@@ -276,7 +214,7 @@ class Namer : private PanelMeasures {
         for (const Wall& wall : tube.walls) widths.push_back(wall.width);
         for (std::size_t i = 0; i < widths.size(); ++i) {
             const int wall = tube.walls[i].panel;
-            for (const int fold : nth(folds_, wall)) {
+            for (const int fold : folds_of(wall)) {
                 const Segment line = sheet_.line_of(nth(sheet_.folds, fold));
                 const Ring end = sheet_.outline_of(nth(sheet_.panels, other_side(fold, wall))).outer;
                 if (fold_angles_of_end(end, line, widths, i)) return true;
@@ -303,7 +241,7 @@ class Namer : private PanelMeasures {
     }
 
     void name_tube(const Tube& tube) {
-        front_ = tube.front;
+        look_from(tube.front);
         if (tube.glue_flap >= 0) give(tube.glue_flap, std::string(kGlueFlapName));
         std::size_t front = 0;
         if (tube.glue_flap >= 0) {
@@ -436,7 +374,7 @@ class Namer : private PanelMeasures {
     void name_glue_corner(int flap, int own, const std::string& name) {
         const Segment line = sheet_.line_of(nth(sheet_.folds, own));
         const Vec2 along = unit(line.b - line.a);
-        for (const int number : nth(folds_, flap)) {
+        for (const int number : folds_of(flap)) {
             if (number == own || drawn_deg(nth(sheet_.folds, number)) >= kGussetDeg) continue;
             const Segment crease = sheet_.line_of(nth(sheet_.folds, number));
             const Vec2 way = unit(crease.b - crease.a);
@@ -470,18 +408,32 @@ class Namer : private PanelMeasures {
             if (!tray || (best && !is_lid_of(*tray, *best))) continue;
             if (!best || walls_of(*tray) > walls_of(*best) * (1.0 + kAsLarge)) best = tray;
         }
-        if (best) name_tray(*best);
+        if (best) name_tray(stands_on(*best));
         return best.has_value();
+    }
+
+    // A wall of a deep tray, with its corners and the bottom, looks like a tray that is open on one side.
+    [[nodiscard]] Tray stands_on(const Tray& tray) const {
+        for (const int fold : tray.folds) {
+            const auto other = fold < 0 ? std::nullopt : tray_around(other_side(fold, tray.root));
+            if (other && is_wall_of(tray.root, *other) && sides_of(*other) > sides_of(tray)) return *other;
+        }
+        return tray;
+    }
+
+    [[nodiscard]] bool is_wall_of(int panel, const Tray& tray) const {
+        return std::any_of(tray.folds.begin(), tray.folds.end(),
+                           [&](int fold) { return fold >= 0 && other_side(fold, tray.root) == panel; });
+    }
+    static std::ptrdiff_t sides_of(const Tray& tray) {
+        return std::count_if(tray.folds.begin(), tray.folds.end(), [](int fold) { return fold >= 0; });
     }
 
     // As large, and beyond one of its walls.
     [[nodiscard]] bool is_lid_of(const Tray& lid, const Tray& tray) const {
         if (area_of(lid.root) < kAsLargeAsBase * area_of(tray.root)) return false;
         return std::any_of(lid.folds.begin(), lid.folds.end(), [&](int fold) {
-            if (fold < 0) return false;
-            const int wall = other_side(fold, lid.root);
-            return std::any_of(tray.folds.begin(), tray.folds.end(),
-                               [&](int other) { return other >= 0 && other_side(other, tray.root) == wall; });
+            return fold >= 0 && is_wall_of(other_side(fold, lid.root), tray);
         });
     }
 
@@ -571,14 +523,11 @@ class Namer : private PanelMeasures {
         }
     }
 
-    const CreasePattern& pattern_;
     const Sheet& sheet_;
     const Tree& tree_;
-    std::vector<std::vector<int>> folds_;
     std::vector<std::vector<int>> panels_of_;  // by piece, in the order of the tree
     std::vector<std::string> names_;
     std::set<std::string> taken_;
-    double front_ = 1.0;  // -1: walls stand up to the back
 };
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <map>
 #include <span>
 #include <string>
 #include <utility>
@@ -282,6 +283,54 @@ TEST(FlatLangCartons, ShallowBoxesCloseAsWell) {
           "hexagonal_box(20, 5, 0.5)", "fefco_0201(80, 50, 5, 0.5)", "fefco_0421(80, 50, 5, 0.5)",
           "fefco_0427(80, 50, 5, 0.5)", "tray_with_lid(10, 10, 5, 5, 0.5)", "gift_bag(10, 80, 5, 0.5)"})
         expect_closes(call);
+}
+
+// Of each piece of the carton, its panels' names, with blanks around them.
+std::vector<std::string> panels_by_piece(const std::string& call) {
+    CompileOptions options;
+    options.until = Stage::assembly;
+    const CompiledDesign one =
+        compile({{"box.fl", "load(\"kit/carton.fl\")\n" + call + "\n"}}, options, {}).designs.front();
+    std::map<std::string, std::string> pieces;
+    if (!one.assembly) return {};
+    for (const Plate& plate : one.assembly->plates) {
+        const std::size_t end = plate.name.find('/');
+        pieces[plate.name.substr(0, end)] += " " + plate.name.substr(end + 1) + " ";
+    }
+    std::vector<std::string> made;
+    for (const auto& [piece, panels] : pieces) made.push_back(panels);
+    return made;
+}
+
+TEST(FlatLangCartons, HaveTheirPanelsInOnePieceWhateverTheirSize) {
+    const double board = 0.5;
+    for (const double length : {20.0, 25.0, 31.0, 60.0, 200.0}) {
+        for (const double width : {10.0, 20.0, 30.0, 60.0, 150.0}) {
+            for (const double depth : {15.0, 80.0, 300.0}) {
+                const std::string size = fmt::format("({}, {}, {}, {})", length, width, depth, board);
+                for (const std::string tube : {"straight_tuck_end", "reverse_tuck_end", "auto_lock_bottom",
+                                               "fefco_0201", "fefco_0215", "gift_bag"}) {
+                    const auto pieces = panels_by_piece(tube + size);
+                    ASSERT_EQ(pieces.size(), 1U) << tube << size;
+                    EXPECT_NE(pieces[0].find(" glue-flap "), std::string::npos) << tube << size << pieces[0];
+                    EXPECT_EQ(pieces[0].find(" base "), std::string::npos) << tube << size;
+                }
+            }
+        }
+    }
+}
+
+TEST(FlatLangCartons, DeepTraysStandOnTheirBottoms) {
+    for (const double depth : {20.0, 60.0, 80.0, 100.0, 120.0, 200.0}) {
+        const std::string call = fmt::format("tray_with_lid(60, 80, {}, 15, 0.6)", depth);
+        const auto pieces = panels_by_piece(call);
+        ASSERT_EQ(pieces.size(), 2U) << call;
+        for (const std::string& panels : pieces) {
+            for (const std::string name : {" base ", " front ", " back ", " left ", " right ", "-corner-"})
+                EXPECT_NE(panels.find(name), std::string::npos) << call << panels;
+            EXPECT_EQ(panels.find(" lid "), std::string::npos) << call << panels;
+        }
+    }
 }
 
 TEST(FlatLangCartons, RefuseWhatIsNoBox) {
