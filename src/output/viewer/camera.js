@@ -12,9 +12,10 @@ class Camera {
     const low = [0, 1, 2].map((i) => corners.reduce((m, p) => Math.min(m, p[i]), Infinity));
     const high = [0, 1, 2].map((i) => corners.reduce((m, p) => Math.max(m, p[i]), -Infinity));
     this.middle = low.map((value, i) => 0.5 * (value + high[i]));
-    this.ground = low[2] - 0.5;
     this.box = [0, 1, 2, 3, 4, 5, 6, 7].map((n) => [0, 1, 2].map((i) => ((n >> i) & 1 ? high[i] : low[i])));
     this.radius = Math.max(1, corners.reduce((m, p) => Math.max(m, Math.hypot(...p.map((v, i) => v - this.middle[i]))), 0));
+    // Below the lowest corner, so that what lies on the ground is not in its own shadow.
+    this.ground = low[2] - Math.min(0.5, 0.01 * this.radius);
     this.aspect = 1;
     this.look('iso');
   }
