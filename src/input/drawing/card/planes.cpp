@@ -101,8 +101,9 @@ class PlaneFinder {
         for (std::size_t i = 0; i < graph_.edges.size(); ++i) {
             const int half = static_cast<int>(2 * i);
             if (!folds_paper(graph_, features_, half) || stretches[graph_.edges[i].line] < 2) continue;
-            const std::pair sides = std::minmax(graph_.face_of(half), graph_.face_of(half ^ 1));
-            if (sides == std::pair(std::minmax(page_.left, page_.right))) continue;
+            const std::pair<int, int> sides{graph_.face_of(half), graph_.face_of(half ^ 1)};
+            if (sides == std::pair(page_.left, page_.right) || sides == std::pair(page_.right, page_.left))
+                continue;
             if (!goes_on(half) || !goes_on(half ^ 1)) continue;
             in_doubt_[i] = 1;
             doubtful_.push_back(static_cast<int>(i));
