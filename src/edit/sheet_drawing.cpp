@@ -312,9 +312,10 @@ class Writer {
         }
         if (edges) return write_parted(tag, own, moves, *back, place);
         if (!made) {
-            return refuse(place,
-                          "this element moves, and is drawn elsewhere than it stands, as by a use element",
-                          "draw it where it is");
+            return refuse(
+                place,
+                "this element moves, and is drawn elsewhere than it stands, as by a use element or a style",
+                "draw it where it is");
         }
         return write(element, own, path, made->mapped(*back), sides >= 3, place);
     }

@@ -80,7 +80,7 @@ void tell_empty(const Tracing& tracing, Diagnostics& diagnostics) {
         }
     }
     if (tracing.invisible > 0) {
-        told.hint(fmt::format("{} shape{} neither stroke nor fill", tracing.invisible,
+        told.hint(fmt::format("{} shape{} neither a stroke nor a fill that can be seen", tracing.invisible,
                               tracing.invisible == 1 ? " has" : "s have"));
     }
 }

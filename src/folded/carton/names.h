@@ -26,8 +26,9 @@ namespace popup::folded {
 //   theirs that is drawn to lie flat in the end is a `top-glue-corner-left`. The top lies on the left of the
 //   walls, as they are numbered: upwards in most drawings;
 // * a tray: a `base` with walls on three or four of its sides, `front` at the bottom of the drawing, `back`,
-//   `left` and `right`; of a deep tray the bottom, and not a wall with its corners. What hangs at a wall's end is a `front-corner-left`, what hangs at the top of a wall
-//   a `front-lining` (of a wall that is rolled in the narrow strip at its top is its `front-rim`), or the
+//   `left` and `right`; of a deep tray the bottom, and not a wall with its corners. What hangs at a wall's
+//   end is a `front-corner-left`, what hangs at the top of a wall a `front-lining` (of a wall that is rolled
+//   in the narrow strip at its top is its `front-rim`), or the
 //   `lid` where it is as large as the base, with its `lid-tuck`, its `lid-ear-left` and its
 //   `lid-tuck-ear-left`. Bottom, back, lid and tuck look like the walls of a tube with a glue flap: where the
 //   sides are rolled in, or no lid of the tube has a tuck and its glue flap is half as wide as its narrowest

@@ -58,7 +58,8 @@ constexpr std::array kDrawingCodes = std::to_array<CodeInfo>({
      "if they are cuts, say that: --lines cut=#0000ff."},
     {"hidden-shape", Severity::remark, "shapes that are hidden",
      "Elements with display:none or visibility:hidden, such as layers that are switched off, are not cut, "
-     "and "
+     "nor "
+     "those for other languages than English (systemLanguage) or for extensions of other programs, and "
      "neither is what DXF drawings have on layers that are off, frozen or not plotted, or in a layout. "
      "That is mostly what is meant. Show them in the drawing program, or take the properties out, if they "
      "are to be cut."},

@@ -32,7 +32,8 @@ bool conditions_hold(const Attributes& attributes) {
 bool is_style_for_us(std::string_view media, std::string_view type) {
     if (!trimmed(type).empty() && lower(trimmed(type)) != "text/css") return false;
     if (trimmed(media).empty()) return true;
-    return any_of_list(media, [](const std::string& one) { return one == "all" || one == "screen"; });
+    return any_of_list(
+        media, [](const std::string& one) { return one.starts_with("all") || one.starts_with("screen"); });
 }
 
 }  // namespace popup::drawing

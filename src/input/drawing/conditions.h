@@ -11,7 +11,7 @@ namespace popup::drawing {
 // no languages but English, in which this program speaks.
 bool conditions_hold(const Attributes& attributes);
 
-// Whether a style element is for drawings on paper and screens, and in CSS.
+// Whether a style element is in CSS, and for screens: there people see what they draw.
 bool is_style_for_us(std::string_view media, std::string_view type);
 
 }  // namespace popup::drawing

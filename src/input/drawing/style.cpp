@@ -246,7 +246,19 @@ bool is_transparent(std::string_view parts) {
 
 bool is_current_color(std::string_view text) { return lower(trimmed(text)) == "currentcolor"; }
 
+// The length or the path data that a style has for one of kGeometry; empty: none that can be read.
+std::string_view geometry_in(std::string_view name, std::string_view text) {
+    if (!among(kGeometry, name)) return {};
+    if (name != "d") return parse_length(text, 1.0) ? text : std::string_view{};
+    const std::size_t begin = text.find_first_of("\"'");  // path("M0 0h9")
+    const std::size_t end = text.find_last_of("\"'");
+    return text.starts_with("path(") && begin < end ? text.substr(begin + 1, end - begin - 1)
+                                                    : std::string_view{};
+}
+
 }  // namespace
+
+bool sets_nothing(std::string_view value) { return says_inherit(value) || says_initial(value); }
 
 std::optional<Property> find_property(std::string_view name) {
     const auto* row =
@@ -316,31 +328,30 @@ VariableTexts Declarations::variables() const {
 std::vector<std::pair<std::string_view, std::string_view>> Declarations::geometry() const {
     std::vector<std::pair<std::string_view, std::string_view>> found;
     for (const auto& [name, value] : others_) {
-        std::string_view text = value.text;
-        if (!among(kGeometry, name) || says_inherit(text) || says_initial(text) || text == "auto") continue;
-        if (name == "d") {  // path("M0 0h9")
-            const std::size_t begin = text.find_first_of("\"'");
-            const std::size_t end = text.find_last_of("\"'");
-            if (!text.starts_with("path(") || begin == end) continue;
-            text = text.substr(begin + 1, end - begin - 1);
-        }
-        found.emplace_back(name, text);
+        const std::string_view text = geometry_in(name, value.text);
+        if (!text.empty()) found.emplace_back(name, text);
     }
     return found;
 }
 
 std::vector<std::string_view> Declarations::not_read() const {
+    constexpr std::array<std::string_view, 9> kNothing{"none", "auto", "view-box", "0",  "0px",
+                                                       "0deg", "1",    "1 1",      "0 0"};
+    const bool turns = find(Property::transform) != nullptr && find(Property::transform_origin) != nullptr;
     std::vector<std::string_view> found;
     for (const auto& [name, value] : others_) {
         const std::string word = lower(value.text);
-        const bool says = word != "none" && word != "view-box" && !says_inherit(word) && !says_initial(word);
-        if (says && among(kNotRead, name)) found.push_back(name);
+        if (sets_nothing(word) || !geometry_in(name, value.text).empty()) continue;
+        // It says of what the origin of a turn is a part.
+        if ((name == "transform-box" && !turns) || among(kNothing, word)) continue;
+        found.push_back(name);
     }
     return found;
 }
 
 std::vector<std::string> Declarations::put_in(const Variables& variables) {
     std::vector<std::string> not_set;
+    for (auto& [name, value] : others_) value.text = variables.put_into(value.text).value_or("");
     for (std::size_t i = 0; i < kProperties; ++i) {
         std::optional<Value>& value = values_.at(i);
         if (!value || !has_variable(value->text)) continue;
@@ -399,6 +410,7 @@ void StyleSheet::add_rule(std::string_view selectors, std::string_view body) {
             const auto property = static_cast<Property>(i);
             matters = matters || (property != Property::color && declarations.find(property) != nullptr);
         }
+        matters = matters || !declarations.geometry().empty() || !declarations.not_read().empty();
         if (matters) ++not_read_;
     });
 }

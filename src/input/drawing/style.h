@@ -56,9 +56,11 @@ class Declarations {
     // Custom properties, as they are written.
     [[nodiscard]] VariableTexts variables() const;
     [[nodiscard]] std::size_t variable_count() const { return variables_.size(); }
-    // Where a style sheet or style="…" places a shape: what it says of these, by name.
+    // Where a style sheet or style="…" places a shape: by name what it says of kGeometry that can be read.
+    // Each is a length, or path data.
     [[nodiscard]] std::vector<std::pair<std::string_view, std::string_view>> geometry() const;
-    // Its names of kNotRead, unless they say what holds without them.
+    // The names of what else places it: of kNotRead, and of kGeometry such as calc(1px + 1mm). Those that
+    // change nothing are left out.
     [[nodiscard]] std::vector<std::string_view> not_read() const;
     // Puts variables into all values. A value that nothing can be put into is as if it were not there, but
     // for that of strokes, which stays as it is written. Returns the variables that are not set, which these
@@ -79,6 +81,9 @@ class Declarations {
     Named variables_, others_;
 };
 
+// Words that set no value of a property: inherit, initial and their like.
+bool sets_nothing(std::string_view value);
+
 // What SVG 2 calls geometry properties: each is an attribute, too, which it outweighs.
 inline constexpr std::array<std::string_view, 10> kGeometry{"x",  "y", "width", "height", "cx",
                                                             "cy", "r", "rx",    "ry",     "d"};
@@ -95,6 +100,8 @@ class StyleSheet {
     void apply(std::string_view tag, std::string_view id, std::string_view classes, bool is_root,
                Declarations& declarations) const;
     [[nodiscard]] int not_read() const { return not_read_; }
+    // Counts one for others, such as for printers, as a rule that is not read.
+    void leave_out() { ++not_read_; }
     // "@import …;": sheets in other files.
     [[nodiscard]] int imports() const { return imports_; }
 

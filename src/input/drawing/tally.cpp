@@ -56,10 +56,10 @@ void Tally::tell(bool strict, Diagnostics& diagnostics) const {
     }
     for (const auto& [name, row] : not_read_) {
         diagnostics
-            .warning(
-                "style-ignored", row.first,
-                fmt::format("the property {} of {} element{} not read, so what it moves stays where it is",
-                            name, row.count, is(row.count)))
+            .warning("style-ignored", row.first,
+                     fmt::format(
+                         "the property {} of {} element{} not read: they are drawn as if it were not there",
+                         name, row.count, is(row.count)))
             .hint("write the attribute transform instead, or let the drawing program apply it to the shapes");
     }
     for (const auto& [none, row] : fills_) {

@@ -15,6 +15,7 @@
 #include "input/drawing/fold_angles.h"
 #include "input/drawing/label.h"
 #include "input/drawing/notation.h"
+#include "input/drawing/placing.h"
 #include "input/drawing/shapes.h"
 #include "input/drawing/size.h"
 #include "input/drawing/style.h"
@@ -70,6 +71,12 @@ class Tracer {
         active_.assign(located_.elements.size(), 0);
         stack_.push_back({1, located_.elements[0].after, context});
         while (!stack_.empty() && !stopped_) step();
+        // Where nothing has a stroke the shapes are contours, whose fills nobody prints.
+        const bool contours = std::none_of(out_.lines.begin(), out_.lines.end(),
+                                           [](const TracedLine& line) { return line.use == Use::cut; });
+        for (const auto& [place, without_stroke] : unprinted_) {
+            if (!without_stroke || !contours) tally_.fill(place);
+        }
         tally_.tell(strict_, diagnostics_);
         rules_.tell_unused(out_.lines, diagnostics_);
         if (diagnostics_.has_errors_as_given()) return std::nullopt;
@@ -122,7 +129,10 @@ class Tracer {
             const auto tree = xml::Tree::parse(located_, i, xml::Tree::Extent::shell, diagnostics_);
             if (!tree) return;
             const Attributes attributes(tree->root().attributes());
-            if (!is_style_for_us(attributes.value("media"), attributes.value("type"))) continue;
+            if (!is_style_for_us(attributes.value("media"), attributes.value("type"))) {
+                sheet_.leave_out();
+                continue;
+            }
             for (const xml::Text& part : tree->root().texts()) {
                 sheet_.add(part.decoded);
                 hides = hides || part.decoded.find("display") != std::string_view::npos;
@@ -140,6 +150,7 @@ class Tracer {
         Attributes attributes(tree->root().attributes(), entities_, located_.text);
         const Place place = located_.elements[0].place;
         Declarations declared = declarations("svg", attributes, true);
+        if (!take_style(declared, place, context) || !inherit_angle(attributes, context)) return false;
         for (const auto& [name, value] : declared.geometry()) {
             // On a page it may fill what is around it.
             if (!value.ends_with('%')) attributes.put(name, value, place);
@@ -183,8 +194,10 @@ class Tracer {
         context.to_mm = {k, 0.0, 0.0, -k, 0.0, k * height};
         if (box) context.to_mm = context.to_mm.after(fitted(*box, width, height, preserve));
         context.view = box ? Vec2{box->width, box->height} : Vec2{width, height};
-        if (declared.find(Property::transform) != nullptr) tally_.not_read("transform", place);
-        return take_style(declared, place, context);
+        const std::string* transform = declared.find(Property::transform);
+        if (transform != nullptr && !sets_nothing(*transform) && parse_transform(*transform) != Affine{})
+            tally_.not_read("transform", place);
+        return true;
     }
 
     // --- the walk
@@ -230,7 +243,6 @@ class Tracer {
         Declarations declared = declarations(tag, attributes, false);
         if (!take_style(declared, at.place, context)) return;
         for (const auto& [name, value] : declared.geometry()) attributes.put(name, value, at.place);
-        for (const std::string_view name : declared.not_read()) tally_.not_read(name, at.place);
         const std::string_view caption = attributes.value("inkscape:label");
         rules_.follow({caption, attributes.value("class"), attributes.value("id")}, context.said,
                       tag == "g" && caption.empty() ? 3 : 2);
@@ -286,24 +298,14 @@ class Tracer {
 
     bool apply_transform(const Declarations& declared, const Attributes& attributes, Place place,
                          Context& context) {
-        const std::string* transform = declared.find(Property::transform);
-        if (transform == nullptr) return true;
-        const std::string* about = declared.find(Property::transform_origin);
-        const auto map = parse_transform(*transform);
-        const auto origin = about == nullptr ? std::optional(Vec2{}) : parse_origin(*about, context.view);
-        if (map && origin) {
-            const Affine there{1.0, 0.0, 0.0, 1.0, origin->x, origin->y};
-            const Affine back{1.0, 0.0, 0.0, 1.0, -origin->x, -origin->y};
-            context.to_mm = context.to_mm.after(there.after(*map).after(back));
-            return true;
-        }
-        const xml::Attribute* attribute = attributes.find(map ? "transform-origin" : "transform");
-        Diagnostic& told = diagnostics_.error(
-            "bad-transform", attribute == nullptr ? place : attribute->place,
-            fmt::format("the {} \"{}\" cannot be read", map ? "transform-origin" : "transform",
-                        shown(map ? *about : *transform)));
-        told.hint(map ? "it is two lengths, such as 10 20"
-                      : "it is a list of matrix, translate, scale, rotate, skewX and skewY");
+        const Placing made = placing_of(declared, attributes, context.view);
+        for (const std::string_view name : made.not_read) tally_.not_read(name, place);
+        context.to_mm = context.to_mm.after(made.map);
+        if (made.fault == nullptr) return true;
+        diagnostics_
+            .error("bad-transform", made.fault->place,
+                   fmt::format("the transform \"{}\" cannot be read", shown(made.fault->value.decoded)))
+            .hint("it is a list of matrix, translate, scale, rotate, skewX and skewY");
         return false;
     }
 
@@ -491,7 +493,7 @@ class Tracer {
         fill.without_stroke = without_stroke;
         fill.color = context.style.fill.color;
         fill.is_printed = context.style.fill.kind == Paint::Kind::color;
-        if (!fill.is_printed) tally_.fill(out_.elements.back().place);
+        if (!fill.is_printed) unprinted_.emplace_back(out_.elements.back().place, without_stroke);
         fill.element = static_cast<int>(out_.elements.size()) - 1;
         fill.owner = context.owner;
         out_.fills.push_back(std::move(fill));
@@ -578,8 +580,9 @@ class Tracer {
     std::vector<std::string> names_;
     std::map<std::string, int, std::less<>> owners_;
     Tally tally_;
-    Flattened flat_;          // the lines of the shape at hand, the curves of all
-    FoldAngles fold_angles_;  // of these lines
+    std::vector<std::pair<Place, bool>> unprinted_;  // fills that are no colour; true: without a stroke
+    Flattened flat_;                                 // the lines of the shape at hand, the curves of all
+    FoldAngles fold_angles_;                         // of these lines
     int exact_places_ = 0;
     bool stopped_ = false;
     Tracing out_;

@@ -62,6 +62,8 @@ std::optional<Affine> one_transform(std::string_view name, std::span<const doubl
     }
     if (name == "translateX" && v.size() == 1) return Affine{1.0, 0.0, 0.0, 1.0, v[0], 0.0};
     if (name == "translateY" && v.size() == 1) return Affine{1.0, 0.0, 0.0, 1.0, 0.0, v[0]};
+    if (name == "translateZ" && v.size() == 1 && v[0] == 0.0) return Affine{};
+    if (name == "translate3d" && v.size() == 3 && v[2] == 0.0) return Affine{1.0, 0.0, 0.0, 1.0, v[0], v[1]};
     if (name == "scaleX" && v.size() == 1) return Affine{v[0], 0.0, 0.0, 1.0, 0.0, 0.0};
     if (name == "scaleY" && v.size() == 1) return Affine{1.0, 0.0, 0.0, v[0], 0.0, 0.0};
     if (name == "skew" && (v.size() == 1 || v.size() == 2))
@@ -89,6 +91,7 @@ std::optional<Affine> parse_transform(std::string_view text) {
         while (length < rest.size() && ((rest[length] | 0x20) >= 'a' && (rest[length] | 0x20) <= 'z')) {
             ++length;
         }
+        if (rest.substr(length).starts_with("3d")) length += 2;
         const std::string_view name = rest.substr(0, length);
         scanner.skip(length);
         if (scanner.peek() != '(') return std::nullopt;
@@ -112,9 +115,10 @@ std::optional<Vec2> parse_origin(std::string_view text, Vec2 view) {
     std::array<std::string, 2> words;  // what follows them is a depth
     std::size_t count = 0;
     for (text = trimmed(text); !text.empty() && count < 2; text = trimmed(text)) {
-        const std::size_t end = std::min(text.find_first_of(" \t\r\n"), text.size());
+        const std::size_t end = std::min(text.find_first_of(" \t\r\n,"), text.size());
         words.at(count++) = lower(text.substr(0, end));
-        text.remove_prefix(end);
+        text = trimmed(text.substr(end));
+        if (text.starts_with(',')) text.remove_prefix(1);
     }
     if (count == 0) return std::nullopt;
     if (count == 1) words[1] = "center";

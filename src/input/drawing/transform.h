@@ -18,11 +18,12 @@ struct Affine {
     [[nodiscard]] Affine after(const Affine& inner) const;
     // How much lengths grow, on average over all directions.
     [[nodiscard]] double growth() const { return std::sqrt(std::abs(a * d - b * c)); }
+    friend bool operator==(const Affine&, const Affine&) = default;
 };
 
 // A list of matrix, translate, scale, rotate, skewX and skewY, and of what CSS has beside these: translateX,
-// translateY, scaleX, scaleY and skew, and units of lengths and angles. The first is done last. Nullopt when
-// the text is anything else. Values may be infinite.
+// translateY, translateZ(0), translate3d(1px, 2px, 0), scaleX, scaleY and skew, and units of lengths and
+// angles. The first is done last. Nullopt when the text is anything else. Values may be infinite.
 std::optional<Affine> parse_transform(std::string_view text);
 
 // About which point a transform is done: lengths, shares of `view` in percent, or left, right, top, bottom

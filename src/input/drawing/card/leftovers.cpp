@@ -300,7 +300,10 @@ class LeftoverFinder {
             for (const int half : graph_.halves_of(face)) {
                 const GraphEdge& other = graph_.edge(half);
                 if (other.line == edge.line) continue;
-                line.gap = std::min(line.gap, distance(graph_.at(corner), graph_.segment(half)));
+                const double gap = distance(graph_.at(corner), graph_.segment(half));
+                if (gap >= line.gap) continue;
+                line.gap = gap;
+                if (gap <= kNeighbourMm) line.at = graph_.at(corner);
             }
             if (kind == Idle::fold_in_paper && line.gap <= kNeighbourMm) torn_.insert(face);
         }
@@ -335,9 +338,11 @@ class LeftoverFinder {
             }
             if (line.gap <= kNeighbourMm)
                 what += fmt::format(", and the nearest line is {:.2f} mm away", line.gap);
-            out_.faults.push_back({line.element, std::move(what), line.at});
-            if (key.second == Idle::cut_in_feature)
-                out_.faults.back().hint =
+            const bool within = key.second == Idle::cut_in_feature;
+            std::vector<NotUnderstood>& faults = within ? out_.cuts_within : out_.faults;
+            faults.push_back({line.element, std::move(what), line.at});
+            if (within)
+                faults.back().hint =
                     "a flap that stands up at a fold is read where all folds of the card run along the "
                     "gutter, "
                     "each plate is held by two of them, and nothing is cut all around across a fold; --as "

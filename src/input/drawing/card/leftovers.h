@@ -14,6 +14,7 @@ struct DrawnHole {
 struct Leftovers {
     std::vector<DrawnHole> holes;
     std::vector<NotUnderstood> faults;
+    std::vector<NotUnderstood> cuts_within;    // within a feature, or the page: flaps and figures have such
     std::vector<NotUnderstood> run_on;         // folds drawn on through features: left out
     std::vector<NotUnderstood> islands;        // in holes: they fall out with them
     std::vector<NotUnderstood> cuts_on_folds;  // left out; `what` is their length

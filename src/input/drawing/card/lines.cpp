@@ -259,7 +259,8 @@ std::optional<SheetGraph> join_ends(const Tracing& tracing, std::vector<SheetLin
 
 std::vector<SheetLine> without(const std::vector<SheetLine>& lines, const SheetGraph& graph,
                                const std::vector<int>& edges) {
-    std::set<int> left_out(edges.begin(), edges.end());
+    const std::set<int> left_out(edges.begin(), edges.end());
+    // Of what is drawn twice, edges name one line.
     const auto draws = [&](const SheetLine& line, int edge) {
         const Segment s = graph.segment(2 * edge);
         for (std::size_t i = 0; i + 1 < line.points.size(); ++i) {
@@ -268,22 +269,21 @@ std::vector<SheetLine> without(const std::vector<SheetLine>& lines, const SheetG
         }
         return false;
     };
-    std::set<int> broken;  // lines; those that are drawn twice are not named by their edges
     std::vector<SheetLine> made;
-    for (std::size_t i = 0; i < lines.size(); ++i) {
+    for (const SheetLine& line : lines) {
         const bool breaks =
-            (lines[i].ink & kAnyFold) != 0 &&
-            std::any_of(edges.begin(), edges.end(), [&](int edge) { return draws(lines[i], edge); });
-        if (breaks)
-            broken.insert(static_cast<int>(i));
-        else
-            made.push_back(lines[i]);
-    }
-    for (std::size_t i = 0; i < graph.edges.size(); ++i) {
-        const GraphEdge& edge = graph.edges[i];
-        if (!broken.contains(edge.line) || left_out.contains(static_cast<int>(i))) continue;
-        const SheetLine& line = nth(lines, edge.line);
-        made.push_back({{graph.at(edge.a), graph.at(edge.b)}, false, line.ink, line.element});
+            (line.ink & kAnyFold) != 0 &&
+            std::any_of(edges.begin(), edges.end(), [&](int edge) { return draws(line, edge); });
+        if (!breaks) {
+            made.push_back(line);
+            continue;
+        }
+        for (std::size_t i = 0; i < graph.edges.size(); ++i) {
+            const GraphEdge& edge = graph.edges[i];
+            const int number = static_cast<int>(i);
+            if ((edge.ink & line.ink) == 0 || left_out.contains(number) || !draws(line, number)) continue;
+            made.push_back({{graph.at(edge.a), graph.at(edge.b)}, false, line.ink, line.element});
+        }
     }
     return made;
 }

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <map>
 #include <set>
+#include <string>
 #include <tuple>
 #include <utility>
 
@@ -43,26 +44,36 @@ std::vector<Vec2> on_page_of(const SheetGraph& graph, const CardPage& page) {
 
 class CardMaker {
  public:
-    CardMaker(const Tracing& tracing, const SheetGraph& graph, const CardPage& page, const Features& features)
-        : tracing_(tracing), graph_(graph), page_(page), features_(features) {}
+    CardMaker(const Tracing& tracing, const SheetGraph& graph, const CardPage& page, const Features& features,
+              NotUnderstood& why)
+        : tracing_(tracing), graph_(graph), page_(page), features_(features), why_(why) {}
 
     std::optional<OrigamicCard> run(const std::vector<const TracedLine*>& printed,
                                     const std::vector<Segment>& moves) {
         // What is cut all around has folds that are not drawn.
-        const bool outlined = std::any_of(features_.features.begin(), features_.features.end(),
-                                          [](const DrawnFeature& feature) { return feature.outlined; });
-        if (outlined || !features_.refused.empty()) return std::nullopt;
-        if (!has_room()) return std::nullopt;
+        const auto outlined = std::find_if(features_.features.begin(), features_.features.end(),
+                                           [](const DrawnFeature& feature) { return feature.outlined; });
+        if (outlined != features_.features.end()) {
+            refuse(graph_.halves_of(outlined->faces.front()).front(),
+                   "this is cut all around, across a fold");
+            return std::nullopt;
+        }
+        if (!features_.refused.empty() || !has_room()) return std::nullopt;
         corners_ = on_page_of(graph_, page_);
-        std::optional<Planes> planes = find_planes(graph_, page_, features_, corners_, DrawnOn::taken);
+        std::optional<Planes> planes = find_planes(graph_, page_, features_, corners_, DrawnOn::taken, why_);
         if (!planes) return std::nullopt;
         planes_ = std::move(*planes);
         if (!is_all_paper() || !put_on_lines()) return std::nullopt;
         if (!add_regions()) return std::nullopt;
         add_folds();
         const Holding held = origamic::holding(regions_, folds_);
-        if (held.back < 0 || held.floor < 0 || held.order.size() != regions_.size() || !moves_one_way(held))
+        if (held.back < 0 || held.floor < 0 || held.order.size() != regions_.size() || !moves_one_way(held)) {
+            refuse(graph_.halves_of(planes_.order.back()).front(),
+                   "the card does not hold all plates as it opens: something hangs on a single fold, or is a "
+                   "strip of "
+                   "more than two plates");
             return std::nullopt;
+        }
         out_.assembly =
             origamic::make_assembly({rounded(page_.height), 0.5 * rounded(page_.width), kOpenCardDeg},
                                     regions_, folds_, held, names(held));
@@ -78,14 +89,19 @@ class CardMaker {
     [[nodiscard]] Vec2 at(int corner) const { return nth(corners_, corner); }
     [[nodiscard]] Segment segment(int half) const { return {at(graph_.from(half)), at(graph_.to(half))}; }
 
+    bool refuse(int half, std::string what) {
+        why_ = {graph_.edge(half).element, std::move(what), graph_.at(graph_.edge(half).a)};
+        return false;
+    }
+
     [[nodiscard]] bool has_room() const {
         const auto fits = [](double mm) { return mm >= kSmallestPage && mm <= kLargestPage; };
         return fits(page_.width) && fits(page_.height);
     }
 
-    // Whether no line is lost: none ends in the paper or in a hole, no fold lies in a hole, and no hole opens
-    // to the border of the page.
-    [[nodiscard]] bool is_all_paper() const {
+    // Whether no line is lost: none ends in the paper or in a hole, and no hole opens to the border of the
+    // page. A fold in a hole falls out with it, and is told.
+    bool is_all_paper() {
         std::map<int, double> ends;  // how much of a line lies in one face
         const Vec2 reach{0.5 * page_.width - kSnapMm, 0.5 * page_.height - kSnapMm};
         const auto on_border = [&](Vec2 a, Vec2 b) {
@@ -99,12 +115,12 @@ class CardMaker {
             const Segment line = segment(half);
             const double size = distance(line.a, line.b);
             // What is no longer than this is rounding.
-            if (a == b && a != 0 && (ends[graph_.edges[i].line] += size) > 2.0 * kSilentMm) return false;
-            if (folds(half) && !nth(planes_.of, a).known) return false;
+            if (a == b && a != 0 && (ends[graph_.edges[i].line] += size) > 2.0 * kSilentMm)
+                return refuse(half, "this line ends in the paper");
             const bool outside = a == 0 || b == 0;
             if (outside && a != b && !nth(planes_.of, std::max(a, b)).known && size > kSnapMm &&
                 on_border(line.a, line.b))
-                return false;
+                return refuse(half, "paper at the border of the page is cut off");
         }
         return true;
     }
@@ -122,9 +138,10 @@ class CardMaker {
             const double x = line_of(plane(half), plane(half ^ 1));
             for (const int corner : {graph_.from(half), graph_.to(half)}) {
                 const auto [known, fresh] = to.try_emplace(corner, x);
-                if (!fresh && std::abs(known->second - x) > kGridMm) return false;
                 const double off = std::abs(at(corner).x - x);
-                if (off > kSnapMm) return false;
+                if ((!fresh && std::abs(known->second - x) > kGridMm) || off > kSnapMm)
+                    return refuse(half, fmt::format("this fold lies {:.2f} mm beside where it can fold",
+                                                    std::max(off, std::abs(known->second - x))));
                 if (off > out_.off) {
                     out_.off = off;
                     out_.off_element = graph_.edges[i].element;
@@ -376,6 +393,7 @@ class CardMaker {
     const SheetGraph& graph_;
     const CardPage& page_;
     const Features& features_;
+    NotUnderstood& why_;
     std::vector<Vec2> corners_;   // on the page
     std::vector<Segment> snaps_;  // of them, on the page
     Planes planes_;               // the faces of their order are the regions
@@ -390,12 +408,13 @@ class CardMaker {
 std::optional<OrigamicCard> origamic_card(const Tracing& tracing, const SheetGraph& graph,
                                           const CardPage& page, const Features& features,
                                           const std::vector<const TracedLine*>& printed,
-                                          const std::vector<Segment>& moves) {
-    return CardMaker(tracing, graph, page, features).run(printed, moves);
+                                          const std::vector<Segment>& moves, NotUnderstood& why) {
+    return CardMaker(tracing, graph, page, features, why).run(printed, moves);
 }
 
 std::vector<int> folds_drawn_on(const SheetGraph& graph, const CardPage& page, const Features& features) {
-    auto planes = find_planes(graph, page, features, on_page_of(graph, page), DrawnOn::looked_for);
+    NotUnderstood why;
+    auto planes = find_planes(graph, page, features, on_page_of(graph, page), DrawnOn::looked_for, why);
     return planes ? std::move(planes->drawn_on) : std::vector<int>{};
 }
 

@@ -21,13 +21,13 @@ struct OrigamicCard {
 
 // nullopt where it is none: a fold runs otherwise or is drawn on through the paper, a line ends in the paper,
 // folds that lead round something do not come back to the plane they left (by more than 0.5 mm), paper at the
-// border of the page is cut off, or the card when it opens does not say how everything moves. Features give
-// what hangs together. Cost: near linear in edges, and the cube of the number of plates for how they move, of
-// which there may be 500.
+// border of the page is cut off, or the card when it opens does not say how everything moves; `why` says
+// which, and where. Features give what hangs together. Cost: near linear in edges, and the cube of the number
+// of plates for how they move, of which there may be 500.
 std::optional<OrigamicCard> origamic_card(const Tracing& tracing, const SheetGraph& graph,
                                           const CardPage& page, const Features& features,
                                           const std::vector<const TracedLine*>& printed,
-                                          const std::vector<Segment>& moves);
+                                          const std::vector<Segment>& moves, NotUnderstood& why);
 
 // Where origamic_card() finds none: stretches of folds that are drawn on beyond a cut, through plates that
 // other folds hold. Edges, ascending; without them it may find one.

@@ -1,9 +1,12 @@
 #include "input/drawing/card/planes.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <map>
+#include <string>
 #include <utility>
 
 #include "base/geometry/mend_ends.h"
@@ -19,8 +22,8 @@ constexpr std::size_t kMostPlates = 500;
 class PlaneFinder {
  public:
     PlaneFinder(const SheetGraph& graph, const CardPage& page, const Features& features,
-                const std::vector<Vec2>& corners)
-        : graph_(graph), page_(page), features_(features), corners_(corners) {}
+                const std::vector<Vec2>& corners, NotUnderstood& why)
+        : graph_(graph), page_(page), features_(features), corners_(corners), why_(why) {}
 
     std::optional<Planes> run(DrawnOn drawn_on) {
         const auto faces = static_cast<std::size_t>(graph_.faces());
@@ -62,6 +65,18 @@ class PlaneFinder {
         return aside <= kSnapMm && aside <= kLean * std::abs(line.a.y - line.b.y);
     }
 
+    bool refuse(int half, std::string what) {
+        why_ = {graph_.edge(half).element, std::move(what), graph_.at(graph_.edge(half).a)};
+        return false;
+    }
+    bool is_along(int half) {
+        return runs_along_gutter(segment(half)) || refuse(half, "this fold does not run along the gutter");
+    }
+    bool has_room(int half) {
+        return out_.order.size() <= kMostPlates ||
+               refuse(half, fmt::format("it has more than {} plates", kMostPlates));
+    }
+
     // Beyond a fold of what stands the paper lies, and beyond one of what lies it stands.
     [[nodiscard]] Plane beyond(int half) {
         const Plane here = plane(half);
@@ -79,7 +94,7 @@ class PlaneFinder {
         for (; next_ < out_.order.size(); ++next_) {
             for (const int half : graph_.halves_of(out_.order[next_])) {
                 if (nth(in_doubt_, half / 2) != 0 || !folds_paper(graph_, features_, half)) continue;
-                if (!runs_along_gutter(segment(half)) || !cross_over(half)) return false;
+                if (!is_along(half) || !cross_over(half)) return false;
             }
         }
         return true;
@@ -87,10 +102,12 @@ class PlaneFinder {
 
     bool cross_over(int half) {
         Plane there = beyond(half);
-        if (plane(half ^ 1).known) return is_one(plane(half ^ 1), there);
+        if (plane(half ^ 1).known)
+            return is_one(plane(half ^ 1), there) ||
+                   refuse(half, "the folds that lead round this one do not come back to where they began");
         there.offset = on_grid({there.offset, 0.0}).x;
         reach(graph_.face_of(half ^ 1), there);
-        return out_.order.size() <= kMostPlates;
+        return has_room(half);
     }
 
     // Stretches of folds between cuts across them, but not those between the halves of the page. Where a line
@@ -132,20 +149,21 @@ class PlaneFinder {
 
     bool settle(int edge) {
         const int half = plane(2 * edge).known ? 2 * edge : 2 * edge + 1;
-        if (!runs_along_gutter(segment(half))) return false;
+        if (!is_along(half)) return false;
         if (plane(half ^ 1).known && !is_one(plane(half), plane(half ^ 1))) {
             nth(in_doubt_, edge) = 0;
             return cross_over(half);
         }
         out_.drawn_on.push_back(edge);
         if (!plane(half ^ 1).known) reach(graph_.face_of(half ^ 1), plane(half));
-        return out_.order.size() <= kMostPlates;
+        return has_room(half);
     }
 
     const SheetGraph& graph_;
     const CardPage& page_;
     const Features& features_;
     const std::vector<Vec2>& corners_;
+    NotUnderstood& why_;
     std::vector<char> in_doubt_;  // by edge
     std::vector<int> doubtful_;   // edges, ascending
     std::size_t next_ = 0;        // in the order
@@ -162,8 +180,8 @@ bool folds_paper(const SheetGraph& graph, const Features& features, int half) {
 }
 
 std::optional<Planes> find_planes(const SheetGraph& graph, const CardPage& page, const Features& features,
-                                  const std::vector<Vec2>& corners, DrawnOn drawn_on) {
-    return PlaneFinder(graph, page, features, corners).run(drawn_on);
+                                  const std::vector<Vec2>& corners, DrawnOn drawn_on, NotUnderstood& why) {
+    return PlaneFinder(graph, page, features, corners, why).run(drawn_on);
 }
 
 }  // namespace popup::drawing::card

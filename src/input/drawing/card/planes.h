@@ -29,10 +29,10 @@ bool folds_paper(const SheetGraph& graph, const Features& features, int half);
 
 // `corners`: of the graph, on the page. Nullopt if a fold does not run along the gutter, if folds that lead
 // round something do not come back to the plane they left (by more than kSnapMm), or if there are more than
-// 500 plates. Looked for, a stretch of a fold between two cuts across it is drawn on where other folds lead
-// to one plane on both sides of it, or to one side only. Cost: linear in edges, and in stretches times plates
-// where looked for.
+// 500 plates; then `why` says which, and where. Looked for, a stretch of a fold between two cuts across it is
+// drawn on where other folds lead to one plane on both sides of it, or to one side only. Cost: linear in
+// edges, and in stretches times plates where looked for.
 std::optional<Planes> find_planes(const SheetGraph& graph, const CardPage& page, const Features& features,
-                                  const std::vector<Vec2>& corners, DrawnOn drawn_on);
+                                  const std::vector<Vec2>& corners, DrawnOn drawn_on, NotUnderstood& why);
 
 }  // namespace popup::drawing::card

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <set>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -15,6 +16,7 @@
 #include "input/drawing/card/origamic_card.h"
 #include "input/drawing/card/page.h"
 #include "input/drawing/card/to_design.h"
+#include "popup/check.h"
 
 namespace popup::drawing::card {
 namespace {
@@ -25,16 +27,19 @@ class Teller {
     Teller(const Tracing& tracing, const SheetGraph& graph, Diagnostics& diagnostics)
         : tracing_(tracing), graph_(graph), diagnostics_(diagnostics) {}
 
-    // What elements are not found of, and what they change.
-    void tell_elements(const Features& features, const Leftovers& left) {
+    // What elements are not found of, and what they change. `why`: what keeps the card from being folded as
+    // it is drawn, if anything does.
+    void tell_elements(const Features& features, const Leftovers& left, const NotUnderstood& why) {
         for (const std::vector<NotUnderstood>* faults : {&features.faults, &left.faults}) {
-            for (const NotUnderstood& one : *faults) {
-                Diagnostic& told = diagnostics_.error("not-understood", place(one), one.what + at(one));
-                if (!one.hint.empty()) told.hint(one.hint);
-                told.hint(
-                    "mend the drawing there; what is no part of the card is left out with --lines "
-                    "ignore=NAME, of a layer, class, id or colour");
-            }
+            for (const NotUnderstood& one : *faults) tell_fault(one);
+        }
+        if (!left.cuts_within.empty() && !why.what.empty()) {
+            tell_fault(
+                {why.element,
+                 "cuts within its plates say that this card is to be folded as it is drawn, but " + why.what,
+                 why.at, "--as folded makes a model of any sheet"});
+        } else {
+            for (const NotUnderstood& one : left.cuts_within) tell_fault(one);
         }
         for (const NotUnderstood& one : left.run_on) {
             tell_drawn_on(one, "a feature that stands on it", "end the fold at the cuts of the feature");
@@ -83,6 +88,12 @@ class Teller {
     // Folds that are drawn as the kind that they are, and as the other: edges.
     void tell_ways(const std::vector<int>& as_drawn, const std::vector<int>& other_way) {
         if (other_way.empty()) return;
+        unsigned kinds = 0;
+        for (const std::vector<int>* edges : {&as_drawn, &other_way}) {
+            for (const int edge : *edges) kinds |= nth(graph_.edges, edge).ink & (kMountain | kValley);
+        }
+        // Where all are drawn as one kind, it says no more than that they are folds.
+        if (!as_drawn.empty() && kinds != (kMountain | kValley)) return;
         const GraphEdge& first = nth(graph_.edges, other_way.front());
         const Place where = nth(tracing_.elements, first.element).place;
         const std::size_t wrong = other_way.size();
@@ -137,6 +148,15 @@ class Teller {
     }
 
  private:
+    void tell_fault(const NotUnderstood& one) {
+        Diagnostic& told = diagnostics_.error("not-understood", place(one), one.what + at(one));
+        if (!one.hint.empty()) told.hint(one.hint);
+        told.hint(
+            "mend the drawing there; what is no part of the card is left out with --lines ignore=NAME, of a "
+            "layer, "
+            "class, id or colour");
+    }
+
     [[nodiscard]] Place place(const NotUnderstood& one) const {
         return nth(tracing_.elements, one.element).place;
     }
@@ -153,74 +173,107 @@ class Teller {
 
 namespace {
 
-enum class Tried { elements, all };
+// What is drawn.
+struct Drawn {
+    const Tracing& tracing;
+    CardLines lines;
+    std::vector<Segment> moves;  // of ends
+};
+
+// What its lines enclose.
+struct Sheet {
+    SheetGraph graph;
+    CardPage page;
+    Features features;
+    Leftovers left;
+
+    [[nodiscard]] bool has_faults() const {
+        return !features.faults.empty() || !left.faults.empty() || !left.cuts_within.empty();
+    }
+};
+
+std::optional<Sheet> sheet_of(const Tracing& tracing, std::optional<SheetGraph> graph,
+                              Diagnostics& diagnostics) {
+    const auto page = graph ? find_page(tracing, *graph, diagnostics) : std::nullopt;
+    if (!page) return std::nullopt;
+    Features features = find_features(*graph, *page);
+    Leftovers left = find_leftovers(*graph, features);
+    return Sheet{*std::move(graph), *page, std::move(features), std::move(left)};
+}
 
 // A card of no elements, and what is said of it.
-std::optional<OrigamicCard> read_origamic(const Tracing& tracing, const SheetGraph& graph,
-                                          const CardPage& page, const Features& features,
-                                          const Leftovers& left, const CardLines& drawn,
-                                          const std::vector<Segment>& moves, Diagnostics& diagnostics) {
-    auto card = origamic_card(tracing, graph, page, features, drawn.printed, moves);
+std::optional<Assembly> read_origamic(const Drawn& drawn, const Sheet& sheet, NotUnderstood& why,
+                                      Diagnostics& diagnostics) {
+    auto card = origamic_card(drawn.tracing, sheet.graph, sheet.page, sheet.features, drawn.lines.printed,
+                              drawn.moves, why);
     if (!card) return std::nullopt;
-    Teller teller(tracing, graph, diagnostics);
-    teller.tell_rest(features, left);
+    Teller teller(drawn.tracing, sheet.graph, diagnostics);
+    teller.tell_rest(sheet.features, sheet.left);
     teller.tell_origamic(*card);
-    return card;
+    return std::move(card->assembly);
 }
 
 // The same where folds are drawn on through plates, without these stretches.
-std::optional<OrigamicCard> read_without(const std::vector<int>& stretches, const Tracing& tracing,
-                                         const SheetGraph& graph, const CardLines& drawn,
-                                         const std::vector<Segment>& moves, Diagnostics& diagnostics) {
+std::optional<Assembly> read_without(const std::vector<int>& stretches, const Drawn& drawn,
+                                     const Sheet& sheet, Diagnostics& diagnostics) {
     if (stretches.empty()) return std::nullopt;
     Diagnostics unheard(diagnostics.file());
-    const auto rest = make_graph(without(drawn.lines, graph, stretches));
-    const auto page = rest ? find_page(tracing, *rest, unheard) : std::nullopt;
-    if (!page) return std::nullopt;
-    const Features features = find_features(*rest, *page);
-    const Leftovers left = find_leftovers(*rest, features);
-    auto card = read_origamic(tracing, *rest, *page, features, left, drawn, moves, diagnostics);
+    NotUnderstood why;
+    const auto rest =
+        sheet_of(drawn.tracing, make_graph(without(drawn.lines.lines, sheet.graph, stretches)), unheard);
+    auto card = rest ? read_origamic(drawn, *rest, why, diagnostics) : std::nullopt;
     if (!card) return std::nullopt;
     std::set<int> told;  // lines
     for (const int stretch : stretches) {
-        const GraphEdge& edge = nth(graph.edges, stretch);
+        const GraphEdge& edge = nth(sheet.graph.edges, stretch);
         if (!told.insert(edge.line).second) continue;
-        Teller(tracing, graph, diagnostics)
-            .tell_drawn_on({edge.element, {}, graph.at(edge.a)}, "the paper beyond a cut",
+        Teller(drawn.tracing, sheet.graph, diagnostics)
+            .tell_drawn_on({edge.element, {}, sheet.graph.at(edge.a)}, "the paper beyond a cut",
                            "end the fold at the cut");
     }
     return card;
 }
 
+// A card that is folded as it is drawn. Without one nothing is said, and `why` has what is in the way.
+std::optional<Assembly> as_drawn(const Drawn& drawn, const Sheet& sheet, NotUnderstood& why,
+                                 Diagnostics& diagnostics) {
+    auto card = read_origamic(drawn, sheet, why, diagnostics);
+    if (card) return card;
+    return read_without(folds_drawn_on(sheet.graph, sheet.page, sheet.features), drawn, sheet, diagnostics);
+}
+
+// Whether elements can be as they are drawn, with what is mended: two need paper between them, for one.
+bool holds(const Design& design, const std::string& file) {
+    Diagnostics unheard(file);
+    return check(design, {}, unheard).has_value();
+}
+
+enum class Tried { elements, all };
+
 CardReading read(const Tracing& tracing, const Source& source, Tried tried, Diagnostics& diagnostics) {
     CardReading made;
-    CardLines drawn = card_lines(tracing, diagnostics);
-    std::vector<Segment> moves;
-    const auto graph = join_ends(tracing, drawn.lines, moves, diagnostics);
-    if (!graph) return made;
-    const auto page = find_page(tracing, *graph, diagnostics);
-    if (!page) return made;
-    const Features features = find_features(*graph, *page);
-    const Leftovers left = find_leftovers(*graph, features);
-    Diagnostics of_card = diagnostics;
-    Teller(tracing, *graph, diagnostics).tell_rest(features, left);
-    Teller(tracing, *graph, diagnostics).tell_elements(features, left);
-    Design design =
-        make_design(tracing, *graph, *page, features, left.holes, drawn.printed, moves, diagnostics);
-    if (!diagnostics.has_errors_as_given()) {
+    Drawn drawn{tracing, card_lines(tracing, diagnostics), {}};
+    const auto sheet =
+        sheet_of(tracing, join_ends(tracing, drawn.lines.lines, drawn.moves, diagnostics), diagnostics);
+    if (!sheet) return made;
+    Diagnostics of_assembly = diagnostics;
+    NotUnderstood why;
+    const bool whole = tried == Tried::all && sheet->has_faults();
+    if (whole) made.assembly = as_drawn(drawn, *sheet, why, of_assembly);
+    if (!made.assembly) {
+        Teller teller(tracing, sheet->graph, diagnostics);
+        teller.tell_rest(sheet->features, sheet->left);
+        teller.tell_elements(sheet->features, sheet->left, why);
+        Design design = make_design(tracing, sheet->graph, sheet->page, sheet->features, sheet->left.holes,
+                                    drawn.lines.printed, drawn.moves, diagnostics);
         design.file = source.name;
         design.stem = source.stem();
-        made.design = std::move(design);
-        return made;
+        const bool sound = !diagnostics.has_errors_as_given();
+        if (tried == Tried::all && !whole && (!sound || !holds(design, source.name)))
+            made.assembly = as_drawn(drawn, *sheet, why, of_assembly);
+        if (sound && !made.assembly) made.design = std::move(design);
     }
-    if (tried == Tried::elements) return made;
-    auto card = read_origamic(tracing, *graph, *page, features, left, drawn, moves, of_card);
-    if (!card) {
-        card = read_without(folds_drawn_on(*graph, *page, features), tracing, *graph, drawn, moves, of_card);
-    }
-    if (!card) return made;
-    diagnostics = std::move(of_card);
-    made.assembly = std::move(card->assembly);
+    if (made.assembly) diagnostics = std::move(of_assembly);
     return made;
 }
 

@@ -64,19 +64,26 @@ TEST(DrawingPlaces, TheRootHasItsSizeInItsStyle) {
         return reading.list ? bounds(reading.part()).max.x : -1.0;
     };
     EXPECT_NEAR(of("style='width:100mm;height:100mm'"), 50.0, 1e-6);
-    EXPECT_NEAR(of("width='20mm' style='width:100%;height:auto'"), 10.0, 1e-6);
+    for (const std::string style : {"width:100%;height:auto", "width:100vw;height:100vh",
+                                    "width:calc(100% - 1px)", "width:fit-content;max-width:1rem"})
+        EXPECT_NEAR(of("width='20mm' style='" + style + "'"), 10.0, 1e-6) << style;
 }
 
 TEST(DrawingPlaces, OriginsAreReadInAllTheirSpellings) {
     using drawing::parse_origin;
     const Vec2 view{100, 80};
-    const std::vector<std::pair<std::string, Vec2>> all{
-        {"10 20", {10, 20}},     {"10px 1in", {10, 96}},
-        {"center", {50, 40}},    {"left", {0, 40}},
-        {"top", {50, 0}},        {"bottom right", {100, 80}},
-        {"25% 50%", {25, 40}},   {"right 10px", {100, 10}},
-        {"top 10px", {10, 0}},   {"10px bottom 3px", {10, 80}},
-        {"center left", {0, 40}}};
+    const std::vector<std::pair<std::string, Vec2>> all{{"10 20", {10, 20}},
+                                                        {"10,20", {10, 20}},
+                                                        {"10px 1in", {10, 96}},
+                                                        {"center", {50, 40}},
+                                                        {"left", {0, 40}},
+                                                        {"top", {50, 0}},
+                                                        {"bottom right", {100, 80}},
+                                                        {"25% 50%", {25, 40}},
+                                                        {"right 10px", {100, 10}},
+                                                        {"top 10px", {10, 0}},
+                                                        {"10px bottom 3px", {10, 80}},
+                                                        {"center left", {0, 40}}};
     for (const auto& [text, wanted] : all) {
         const auto read = parse_origin(text, view);
         ASSERT_TRUE(read) << text;
@@ -89,8 +96,28 @@ TEST(DrawingPlaces, OriginsAreReadInAllTheirSpellings) {
 TEST(DrawingPlaces, WhatIsNotReadIsTold) {
     EXPECT_EQ(parts_of("<rect width='30' height='20' style='rotate:45deg'/>").substr(0, 18),
               "2:1 style-ignored\n");
-    EXPECT_EQ(parts_of("<rect width='30' height='20' style='transform:matrix3d(1)'/>"),
-              "2:1 bad-transform\n");
+    const std::string rect = "<rect width='30' height='20'/>";
+    // What CSS has beyond lengths leaves the attributes as they are.
+    for (const std::string style :
+         {"transform:matrix3d(1)", "transform:translate(50%)", "width:calc(1px + 1mm)", "height:50vh",
+          "transform:scale(1);transform-origin:calc(1px) 0", "d:none;x:1rem"}) {
+        EXPECT_EQ(parts_of("<rect width='30' height='20' style='" + style + "'/>"),
+                  "2:1 style-ignored\n" + parts_of(rect))
+            << style;
+    }
+    for (const std::string style :
+         {"transform:initial", "transform:none", "transform:unset", "transform:translateZ(0)",
+          "transform:translate3d(0,0,0)", "scale:1;rotate:0deg;translate:none", "transform-box:fill-box",
+          "transform:scale(1);transform-origin:inherit", "--w:30px;width:var(--w)", "x:var(--no, 0px)"}) {
+        EXPECT_EQ(parts_of("<rect width='30' height='20' style='" + style + "'/>"), parts_of(rect)) << style;
+    }
+    EXPECT_EQ(
+        parts_of(
+            "<rect width='30' height='20' transform='translate(5)' style='transform:perspective(9px)'/>"),
+        "2:1 style-ignored\n" + parts_of("<rect x='5' width='30' height='20'/>"));
+    EXPECT_EQ(parts_of("<rect width='30' height='20' transform='turn(5)'/>"), "2:30 bad-transform\n");
+    EXPECT_EQ(parts_of("<style>svg rect{x:30px}</style><rect width='30' height='20'/>"),
+              "1:1 style-ignored\n" + parts_of(rect));
     EXPECT_EQ(parts_of("<rect width='30' height='20' style='transform-box:view-box;scale:none'/>"),
               parts_of("<rect width='30' height='20'/>"));
     for (const std::string sheet :
@@ -103,15 +130,14 @@ TEST(DrawingPlaces, WhatIsNotReadIsTold) {
     EXPECT_EQ(linked.codes(), "1:32 style-ignored\n");
 }
 
-TEST(DrawingPlaces, SheetsForOthersSayNothing) {
+TEST(DrawingPlaces, SheetsForOthersSayNothingAndAreTold) {
     const std::string plain = parts_of("<rect width='30' height='20'/>");
-    EXPECT_EQ(parts_of("<style media='print'>rect{display:none}</style><rect width='30' height='20'/>"),
-              plain);
-    EXPECT_EQ(parts_of("<style type='text/less'>rect{display:none}</style><rect width='30' height='20'/>"),
-              plain);
-    EXPECT_EQ(
-        parts_of("<style type='text/css' media='screen, print'>rect{width:30px}</style><rect height='20'/>"),
-        plain);
+    for (const std::string other : {"media='print'", "type='text/less'"}) {
+        EXPECT_EQ(parts_of("<style " + other + ">rect{display:none}</style><rect width='30' height='20'/>"),
+                  "1:1 style-ignored\n" + plain);
+    }
+    for (const std::string ours : {"type='text/css' media='screen, print'", "media='screen and (color)'"})
+        EXPECT_EQ(parts_of("<style " + ours + ">rect{width:30px}</style><rect height='20'/>"), plain);
 }
 
 TEST(DrawingPlaces, ASwitchDrawsTheFirstThatHolds) {
@@ -172,6 +198,11 @@ TEST(DrawingPlaces, OnlyFillsInAColourArePrinted) {
     EXPECT_EQ(of("fill='url(#g)'"), "2:31 fill-not-printed\n0");
     EXPECT_EQ(of("fill='lab(1 2 3)'"), "2:31 fill-not-printed\n0");
     EXPECT_EQ(of("fill='#ff0' fill-opacity='0'"), "0");
+    // Nobody prints contours.
+    EXPECT_EQ(
+        read_drawing("<svg width='90mm' height='90mm'><rect width='50' height='50' fill='url(#g)'/></svg>")
+            .codes(),
+        "");
     EXPECT_EQ(of("fill='#ffff0000'"), "0");
 }
 

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "input/assembly/guarantees.h"
@@ -182,6 +183,46 @@ TEST(OrigamicCard, WhatDoesNotMoveInOneWayIsAnError) {
     std::string stands = flap;
     stands.replace(stands.find("M90 30V110"), 10, "M90 30V50M90 60V110");
     EXPECT_EQ(findings(compiled(stands)).find(kToldAlways), 0U) << findings(compiled(stands));
+}
+
+// Elements leave paper between them, and no element is parted by a hole.
+TEST(OrigamicCard, WhatElementsCannotShareIsFoldedAsItIsDrawn) {
+    const std::string comb = drawing(R"(<path stroke="#00f" d="M100 0V20M100 80V140"/>
+<path d="M80 20H120M60 40H140M60 60H140M80 80H120"/>
+<path stroke="#00f" d="M80 20V40M120 20V40M60 40V60M140 40V60M80 60V80M120 60V80"/>
+<path stroke="#f00" d="M100 20V80"/>)");
+    // A front on two columns: an opening from its fold on the page to its upper edge.
+    const std::string columns = drawing(R"(<path stroke="#00f" d="M100 0V30M100 110V140"/>
+<path d="M60 30H130M60 110H130"/><path stroke="#00f" d="M60 30V110M130 30V50M130 90V110"/>
+<path stroke="#f00" d="M90 30V50M90 90V110"/><path d="M90 50H130V90H90Z"/>)");
+    for (const auto& [text, plates] : {std::pair{comb, 6U}, {columns, 2U}}) {
+        const CompiledDesign one = compiled(text);
+        EXPECT_EQ(findings(one).find(kToldAlways), 0U) << findings(one);
+        ASSERT_TRUE(one.assembly && one.pattern);
+        EXPECT_EQ(one.assembly->plates.size(), plates + 2);
+        EXPECT_EQ(one.pattern->pieces.size(), 1U);
+        std::vector<Frame> frames(one.assembly->plates.size());
+        ASSERT_TRUE(place(*one.assembly, Angle::degrees(70.0), frames));
+        EXPECT_LE(closure_error(*one.assembly, frames), 1e-6);
+    }
+}
+
+TEST(OrigamicCard, WhatIsInTheWayIsTold) {
+    // A gable that stands up at a fold, and a v-fold beside it.
+    const std::string both = drawing(R"(<path stroke="#00f" d="M100 0V15M100 65V85M100 115V140"/>
+<path d="M85 15H130M85 65H130M115 25H105L95 40L105 55H115"/>
+<path stroke="#00f" d="M85 15V65M130 15V65"/><path stroke="#f00" d="M115 15V25M115 55V65M100 85V115"/>
+<path stroke="#00f" d="M100 85L75 115M100 85L125 115"/><path d="M75 115H125"/>)");
+    EXPECT_NE(findings(compiled(both)).find("but this fold does not run along the gutter"), std::string::npos)
+        << findings(compiled(both));
+}
+
+// Whoever scores with one colour has not said which way folds go.
+TEST(OrigamicCard, FoldsOfOneKindAreFolds) {
+    const std::string text = drawing(R"(<path stroke="#00f" d="M100 0V30M100 110V140"/>
+<path d="M60 30H130M60 110H130"/><path stroke="#00f" d="M60 30V110M130 30V110M90 30V50M90 60V110"/>
+<path d="M90 50H100V60H90"/>)");
+    EXPECT_EQ(findings(compiled(text)).find("fold-other-way"), std::string::npos) << findings(compiled(text));
 }
 
 TEST(OrigamicCard, FoldsThatAreDrawnTheOtherWayAreTold) {
