@@ -8,11 +8,11 @@ namespace {
 constexpr std::array kDrawnCardCodes = std::to_array<CodeInfo>({
     {"card-of-no-elements", Severity::remark, "a drawn card that is folded as it is drawn",
      "Not all of this card can be told by elements, the words of popup documents: it has flaps that stand up "
-     "at a fold, figures taller than what they stand on, or stairs whose steps share a cut. All its folds "
-     "run "
-     "along the gutter, though, and everything stays parallel to one half of the page as it opens, so it is "
-     "made, examined and shown as it is drawn. A document cannot be written of it; change the drawing to "
-     "change the card."},
+     "at a fold, figures taller than what they stand on, strips that share a cut, or a front on columns. All "
+     "its folds run along the gutter, though, and everything stays parallel to one half of the page as it "
+     "opens, so it is made, examined and shown as it is drawn. A document cannot be written of it; change "
+     "the "
+     "drawing to change the card."},
     {"cut-beyond-fold", Severity::warning, "an outline that goes on beyond the folds that hold it",
      "The outline of a feature is drawn as one closed cut, with its side folds inside of it. Cut so, nothing "
      "would hold it in the card, and it would fall out. What lies beyond the side folds is therefore not cut "

@@ -169,10 +169,6 @@ class Teller {
     Diagnostics& diagnostics_;
 };
 
-}  // namespace
-
-namespace {
-
 // What is drawn.
 struct Drawn {
     const Tracing& tracing;
