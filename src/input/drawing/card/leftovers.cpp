@@ -34,6 +34,7 @@ class LeftoverFinder {
         }
         look_at_features();
         look_at_lines();
+        look_at_plates();
         look_at_cuts_on_folds();
         look_at_hanging();
         return std::move(out_);
@@ -210,7 +211,55 @@ class LeftoverFinder {
         if (a == b) return add_idle(number, Idle::cut);
         if (plate_of(a) < 0 || plate_of(b) < 0 || is_rounding(number)) return;
         // An element is what its border encloses: it has no other cut.
-        if (nth(owner_, a) == nth(owner_, b)) add_idle(number, Idle::cut_in_feature);
+        const int mine = nth(owner_, a);
+        const int other = nth(owner_, b);
+        if (mine == other) return add_idle(number, Idle::cut_in_feature);
+        if (mine < 0 || other < 0 || stands_on(mine, other) || stands_on(other, mine)) return;
+        const Segment s = graph_.segment(2 * number);
+        shared_ += distance(s.a, s.b);
+        if (shared_ > kSnapMm) out_.beyond_elements = true;
+    }
+
+    // Whether a feature stands on a fold of another.
+    [[nodiscard]] bool stands_on(int feature, int other) const {
+        const Drive& drive = nth(features_.drives, nth(features_.features, feature).drive);
+        const std::vector<int>& faces = nth(features_.features, other).faces;
+        return std::any_of(faces.begin(), faces.end(), [&](int face) {
+            return plate_of(face) == drive.left || plate_of(face) == drive.right;
+        });
+    }
+
+    // A plate of a feature in several parts, with a hole between them.
+    void look_at_plates() {
+        for (const DrawnHole& hole : out_.holes) {
+            std::map<int, std::set<int>> beside;  // by plate its faces beside the hole
+            for (const int face : hole.faces) {
+                for (const int half : graph_.halves_of(face)) {
+                    const int next = graph_.face_of(half ^ 1);
+                    if (plate_of(next) >= 0 && nth(owner_, next) >= 0) beside[plate_of(next)].insert(next);
+                }
+            }
+            for (const auto& [plate, faces] : beside) {
+                if (faces.size() > 1 && !hang_together(faces)) out_.beyond_elements = true;
+            }
+        }
+    }
+
+    // Whether faces of one plate are parted by no more than folds that are drawn on through it.
+    [[nodiscard]] bool hang_together(const std::set<int>& faces) const {
+        const int plate = plate_of(*faces.begin());
+        std::set<int> reached{*faces.begin()};
+        std::vector<int> ahead{*faces.begin()};
+        while (!ahead.empty()) {
+            const int face = ahead.back();
+            ahead.pop_back();
+            for (const int half : graph_.halves_of(face)) {
+                const int next = graph_.face_of(half ^ 1);
+                if (is_fold(graph_.edge(half)) && plate_of(next) == plate && reached.insert(next).second)
+                    ahead.push_back(next);
+            }
+        }
+        return std::includes(reached.begin(), reached.end(), faces.begin(), faces.end());
     }
 
     void look_at_fold(int number) {
@@ -407,6 +456,7 @@ class LeftoverFinder {
     std::map<std::pair<int, Idle>, IdleLine> idle_;  // by line
     std::set<int> torn_;                             // faces in which a fold nearly ends at another line
     int gaps_ = 0;
+    double shared_ = 0.0;  // of cuts, by features beside one another
     Leftovers out_;
 };
 

@@ -19,6 +19,8 @@ struct Leftovers {
     std::vector<NotUnderstood> islands;        // in holes: they fall out with them
     std::vector<NotUnderstood> cuts_on_folds;  // left out; `what` is their length
     std::vector<NotUnderstood> outside;        // of the page, once an element
+    // Features share a cut, where elements need paper between them, or a hole parts a plate of one.
+    bool beyond_elements = false;
     // Edges of folds that were drawn as the kind that they are, and as the other.
     std::vector<int> as_drawn, other_way;
 };

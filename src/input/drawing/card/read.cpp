@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <set>
-#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -16,7 +15,6 @@
 #include "input/drawing/card/origamic_card.h"
 #include "input/drawing/card/page.h"
 #include "input/drawing/card/to_design.h"
-#include "popup/check.h"
 
 namespace popup::drawing::card {
 namespace {
@@ -238,12 +236,6 @@ std::optional<Assembly> as_drawn(const Drawn& drawn, const Sheet& sheet, NotUnde
     return read_without(folds_drawn_on(sheet.graph, sheet.page, sheet.features), drawn, sheet, diagnostics);
 }
 
-// Whether elements can be as they are drawn, with what is mended: two need paper between them, for one.
-bool holds(const Design& design, const std::string& file) {
-    Diagnostics unheard(file);
-    return check(design, {}, unheard).has_value();
-}
-
 enum class Tried { elements, all };
 
 CardReading read(const Tracing& tracing, const Source& source, Tried tried, Diagnostics& diagnostics) {
@@ -254,8 +246,8 @@ CardReading read(const Tracing& tracing, const Source& source, Tried tried, Diag
     if (!sheet) return made;
     Diagnostics of_assembly = diagnostics;
     NotUnderstood why;
-    const bool whole = tried == Tried::all && sheet->has_faults();
-    if (whole) made.assembly = as_drawn(drawn, *sheet, why, of_assembly);
+    const bool whole = sheet->has_faults() || sheet->left.beyond_elements;
+    if (whole && tried == Tried::all) made.assembly = as_drawn(drawn, *sheet, why, of_assembly);
     if (!made.assembly) {
         Teller teller(tracing, sheet->graph, diagnostics);
         teller.tell_rest(sheet->features, sheet->left);
@@ -264,10 +256,10 @@ CardReading read(const Tracing& tracing, const Source& source, Tried tried, Diag
                                     drawn.lines.printed, drawn.moves, diagnostics);
         design.file = source.name;
         design.stem = source.stem();
-        const bool sound = !diagnostics.has_errors_as_given();
-        if (tried == Tried::all && !whole && (!sound || !holds(design, source.name)))
+        if (!diagnostics.has_errors_as_given())
+            made.design = std::move(design);
+        else if (!whole && tried == Tried::all)
             made.assembly = as_drawn(drawn, *sheet, why, of_assembly);
-        if (sound && !made.assembly) made.design = std::move(design);
     }
     if (made.assembly) diagnostics = std::move(of_assembly);
     return made;
