@@ -8,6 +8,7 @@
 #include <array>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "input/drawing/card/read.h"
 #include "popup/compile.h"
@@ -42,6 +43,11 @@ void expect_sound(const CompiledDesign& one, const std::string& text) {
     }
     // Of elements, or folded as it is drawn.
     ASSERT_EQ(one.checked.has_value() || one.assembly.has_value(), !one.diagnostics.has_errors());
+    const std::vector<Diagnostic> told = one.diagnostics.sorted();
+    const bool as_drawn = std::any_of(told.begin(), told.end(), [](const Diagnostic& found) {
+        return found.code == "card-of-no-elements";
+    });
+    ASSERT_EQ(as_drawn, !one.checked.has_value() && one.assembly.has_value());
 }
 
 // Other digits, here and there.

@@ -44,11 +44,6 @@ bool is_word(std::string_view text) {
 
 constexpr std::string_view kRoot = ":root";
 
-template <typename List>
-bool among(const List& list, std::string_view name) {
-    return std::find(list.begin(), list.end(), name) != list.end();
-}
-
 // How much a selector of one element weighs; -1 when it is none.
 int weight_of(std::string_view selector) {
     if (selector == "*") return Declarations::kAny;
@@ -191,10 +186,7 @@ Color of_shares(const std::array<double, 3>& shares) {
 std::optional<double> scan_hue(NumberScanner& scanner) {
     const auto number = scan_number(scanner);
     const std::string unit = scan_word(scanner);
-    if (!number || unit.empty() || unit == "deg") return number;
-    if (unit == "grad") return 0.9 * *number;
-    if (unit == "rad") return *number * 180.0 / std::numbers::pi;
-    return unit == "turn" ? std::optional(360.0 * *number) : std::nullopt;
+    return !number || unit.empty() ? number : degrees_of(*number, unit);
 }
 
 // A percentage as a share of 1; the mark may be missing.
@@ -342,7 +334,7 @@ std::vector<std::string_view> Declarations::not_read() const {
     for (const auto& [name, value] : others_) {
         const std::string word = lower(value.text);
         if (sets_nothing(word) || !geometry_in(name, value.text).empty()) continue;
-        // It says of what the origin of a turn is a part.
+        // It says of which box the percentages of an origin are.
         if ((name == "transform-box" && !turns) || among(kNothing, word)) continue;
         found.push_back(name);
     }

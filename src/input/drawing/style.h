@@ -1,6 +1,7 @@
 // What of CSS decides whether, and as what, a shape is drawn.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -16,6 +17,12 @@
 #include "popup/print.h"
 
 namespace popup::drawing {
+
+// Whether a list has the word.
+template <typename List>
+bool among(const List& list, std::string_view word) {
+    return std::find(list.begin(), list.end(), word) != list.end();
+}
 
 enum class Property {
     stroke,

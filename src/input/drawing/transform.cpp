@@ -42,10 +42,7 @@ std::optional<double> argument(std::string_view function, NumberScanner& scanner
     if (function.starts_with("translate") && unit != "%")
         return parse_length("1" + unit, 0.0).value_or(NAN) * *number;
     if (!function.starts_with("rotate") && !function.starts_with("skew")) return std::nullopt;
-    if (unit == "deg") return number;
-    if (unit == "grad") return 0.9 * *number;
-    if (unit == "turn") return 360.0 * *number;
-    return unit == "rad" ? std::optional(*number * 180.0 / std::numbers::pi) : std::nullopt;
+    return degrees_of(*number, unit);
 }
 
 std::optional<Affine> one_transform(std::string_view name, std::span<const double> v) {
@@ -78,6 +75,13 @@ std::optional<Affine> one_transform(std::string_view name, std::span<const doubl
 Affine Affine::after(const Affine& inner) const {
     return {a * inner.a + c * inner.b, b * inner.a + d * inner.b,     a * inner.c + c * inner.d,
             b * inner.c + d * inner.d, a * inner.e + c * inner.f + e, b * inner.e + d * inner.f + f};
+}
+
+std::optional<double> degrees_of(double number, std::string_view unit) {
+    if (unit == "deg") return number;
+    if (unit == "grad") return 0.9 * number;
+    if (unit == "rad") return number * 180.0 / std::numbers::pi;
+    return unit == "turn" ? std::optional(360.0 * number) : std::nullopt;
 }
 
 std::optional<Affine> parse_transform(std::string_view text) {

@@ -21,6 +21,9 @@ struct Affine {
     friend bool operator==(const Affine&, const Affine&) = default;
 };
 
+// Degrees of an angle with a unit of CSS: deg, grad, rad or turn. Nullopt of any other unit.
+std::optional<double> degrees_of(double number, std::string_view unit);
+
 // A list of matrix, translate, scale, rotate, skewX and skewY, and of what CSS has beside these: translateX,
 // translateY, translateZ(0), translate3d(1px, 2px, 0), scaleX, scaleY and skew, and units of lengths and
 // angles. The first is done last. Nullopt when the text is anything else. Values may be infinite.

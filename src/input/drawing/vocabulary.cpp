@@ -39,11 +39,6 @@ constexpr std::array<std::string_view, 26> kSilent{"defs",           "symbol",
                                                    "animate",        "animateTransform",
                                                    "animateMotion",  "set"};
 
-template <typename List>
-bool among(const List& list, std::string_view word) {
-    return std::find(list.begin(), list.end(), word) != list.end();
-}
-
 }  // namespace
 
 Role role_of(std::string_view tag) {

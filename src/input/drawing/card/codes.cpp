@@ -38,7 +38,9 @@ constexpr std::array kDrawnCardCodes = std::to_array<CodeInfo>({
     {"fold-drawn-on", Severity::warning, "a fold that is drawn on through what stands on it",
      "A fold is interrupted where a feature stands on it: between the feature's cuts the paper moves out of "
      "the fold. This one is drawn as a whole line, so that the sheet would be folded in a plane that must "
-     "stay flat. The stretch between the cuts was left out; leave it out of the drawing, too."},
+     "stay flat. The same holds where a flap or a figure goes on over the fold. The stretch between the cuts "
+     "was left "
+     "out; leave it out of the drawing, too."},
     {"fold-other-way", Severity::warning, "folds drawn as valleys that are mountains, or the other way",
      "Which way a fold of a pop-up goes follows from the others: the folds that hold a feature go the way of "
      "the fold that it stands on, and its middle fold goes the other way. Some folds of the drawing have the "

@@ -393,10 +393,10 @@ class LeftoverFinder {
             if (within)
                 faults.back().hint =
                     "a flap that stands up at a fold is read where all folds of the card run along the "
-                    "gutter, "
-                    "each plate is held by two of them, and nothing is cut all around across a fold; --as "
-                    "folded "
-                    "makes a model of any sheet";
+                    "gutter, each "
+                    "plate is held by two of them, and nothing is cut all around across a fold; --as folded "
+                    "makes a "
+                    "model of any sheet";
         }
     }
 
